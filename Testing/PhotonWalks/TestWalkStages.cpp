@@ -212,7 +212,7 @@ TEST(WalkStages, PackingKeepsOrderAndLosesNothing)
             : trial % 4 == 1                                               ? 0
                                                                            : random.engine());
       }
-      runPack({ front, next, true, 3 });
+      frontLoops().pack(front, next, true, 3);
       std::size_t kept = 0;
       for (std::size_t i = 0; i < front.size; ++i)
       {

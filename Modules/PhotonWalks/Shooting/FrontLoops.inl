@@ -54,25 +54,24 @@ __attribute__((always_inline)) inline void placeOnTriangles(
   std::memcpy(weightC, c, sizeof(c));
 }
 
-template <class Lanes>
-void runStartLoop(const StartLoop& loop)
+void startLoop(WalkFront& front, const BounceKeys& lights, const BounceKeys& positions,
+  const std::vector<double>& cumulativeFlux, const std::uint32_t* triangles)
 {
-  WalkFront& front = loop.front;
   SampleGroup samples;
-  std::uint32_t chosen[kGroup], triangles[kGroup];
+  std::uint32_t chosen[kGroup], starts[kGroup];
   for (std::size_t i = 0; i < front.size; i += kGroup)
   {
     const std::uint32_t *walks = &front.walk[i], *bounces = &front.bounce[i];
-    samples.drawFirst(loop.lights, walks, bounces, 0);
-    chooseLights(loop.cumulativeFlux, samples.x, chosen);
+    samples.drawFirst(lights, walks, bounces, 0);
+    chooseLights(cumulativeFlux, samples.x, chosen);
     for (unsigned lane = 0; lane < kGroup; ++lane)
     {
-      triangles[lane] = loop.triangles[chosen[lane]];
+      starts[lane] = triangles[chosen[lane]];
     }
-    std::memcpy(loop.chosen + i, chosen, sizeof(chosen));
-    std::memcpy(&front.start[i], triangles, sizeof(triangles));
+    std::memcpy(&front.candidate[i], chosen, sizeof(chosen));
+    std::memcpy(&front.start[i], starts, sizeof(starts));
     std::memset(&front.side[i], 1, kGroup);
-    samples.draw(loop.positions, walks, bounces, 0);
+    samples.draw(positions, walks, bounces, 0);
     placeOnTriangles(samples, &front.weightB[i], &front.weightC[i]);
   }
 }
@@ -90,16 +89,14 @@ __attribute__((always_inline)) inline void prefetchLooks(
 }
 
 template <class Lanes>
-void runSurviveLoop(const SurviveLoop& loop)
+void surviveLoop(WalkFront& front, SceneRows rows, const BounceKeys& keys)
 {
   static_assert(CellLook::kSurvivesAlways == 1u << 31);
-  WalkFront& front = loop.front;
-  const SceneRows rows = loop.rows;
   SampleGroup samples;
   alignas(64) std::uint32_t threshold[kGroup], always[kGroup], survives[kGroup];
   for (std::size_t i = 0; i < front.size; i += kGroup)
   {
-    samples.drawFirst(loop.keys, &front.walk[i], &front.bounce[i], 1);
+    samples.drawFirst(keys, &front.walk[i], &front.bounce[i], 1);
     const std::uint32_t* const hits = &front.hit[i];
     for (unsigned lane = 0; lane < kGroup; ++lane) // the tally has just read the same looks
     {
@@ -115,22 +112,19 @@ void runSurviveLoop(const SurviveLoop& loop)
   }
 }
 
-template <class Lanes>
-void runDrawLoop(const DrawLoop& loop)
+void drawLoop(WalkFront& front, const BounceKeys& keys)
 {
   SampleGroup samples;
-  for (std::size_t i = 0; i < loop.front.size; i += kGroup)
+  for (std::size_t i = 0; i < front.size; i += kGroup)
   {
-    samples.drawFirst(loop.keys, &loop.front.walk[i], &loop.front.bounce[i], 1);
-    std::copy_n(samples.x, kGroup, loop.samples + i);
+    samples.drawFirst(keys, &front.walk[i], &front.bounce[i], 1);
+    std::copy_n(samples.x, kGroup, &front.candidate[i]);
   }
 }
 
 template <class Lanes>
-void runPackLoop(const PackLoop& loop)
+void packLoop(const WalkFront& from, WalkFront& to, bool hasGlossy, int bands)
 {
-  const WalkFront& from = loop.from;
-  WalkFront& to = loop.to;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < from.size; i += kPacked)
   {
@@ -150,7 +144,7 @@ void runPackLoop(const PackLoop& loop)
     pack(&from.block[i], &to.block[kept]);
     pack(&from.slot[i], &to.parent[kept]);
     pack(&from.hitSide[i], &to.side[kept]);
-    if (loop.hasGlossy)
+    if (hasGlossy)
     {
       pack(&from.directionX[i], &to.directionX[kept]);
       pack(&from.directionY[i], &to.directionY[kept]);
@@ -160,7 +154,7 @@ void runPackLoop(const PackLoop& loop)
       pack(&from.originY[i], &to.originY[kept]);
       pack(&from.originZ[i], &to.originZ[kept]);
     }
-    for (int band = 0; loop.bands > 1 && band < loop.bands; ++band)
+    for (int band = 0; bands > 1 && band < bands; ++band)
     {
       pack(&from.power[band][i], &to.power[band][kept]);
     }
@@ -243,11 +237,10 @@ struct PointLanes
 
 template <class Lanes>
 __attribute__((always_inline)) inline void leavePoints(
-  const LeaveLoop& loop, std::size_t i, PointLanes& points)
+  WalkFront& front, const SceneRows& rows, std::size_t i, PointLanes& points)
 {
-  WalkFront& front = loop.front;
   RecordLanes record;
-  record.load<Lanes>(loop.rows, &front.start[i]);
+  record.load<Lanes>(rows, &front.start[i]);
   for (unsigned lane = 0; lane < kGroup; ++lane)
   {
     points.side[lane] = front.side[i + lane] != 0 ? 1.0 : -1.0;
@@ -273,17 +266,16 @@ __attribute__((always_inline)) inline void prefetchRecords(
 }
 
 template <class Lanes>
-void runLeaveLoop(const LeaveLoop& loop)
+void leaveLoop(WalkFront& front, SceneRows rows, const BounceKeys& keys)
 {
-  WalkFront& front = loop.front;
   SampleGroup samples;
   PointLanes points;
   alignas(64) float direction[3][kGroup];
   for (std::size_t i = 0; i < front.size; i += kGroup)
   {
-    prefetchRecords(loop.rows, front, i);
-    leavePoints<Lanes>(loop, i, points);
-    samples.draw(loop.keys, &front.walk[i], &front.bounce[i], 0);
+    prefetchRecords(rows, front, i);
+    leavePoints<Lanes>(front, rows, i, points);
+    samples.draw(keys, &front.walk[i], &front.bounce[i], 0);
     for (unsigned lane = 0; lane < kGroup; ++lane)
     {
       const CosineDirectionInFloat leaving(points.normal[0][lane], points.normal[1][lane],
@@ -299,10 +291,8 @@ void runLeaveLoop(const LeaveLoop& loop)
 }
 
 /// Of a record only the normal is read.
-template <class Lanes>
-void runSidesLoop(const SidesLoop& loop)
+void sidesLoop(WalkFront& front, SceneRows rows)
 {
-  WalkFront& front = loop.front;
   alignas(64) double x[kGroup], y[kGroup], z[kGroup];
   for (std::size_t i = 0; i < front.size; i += kGroup)
   {
@@ -310,11 +300,11 @@ void runSidesLoop(const SidesLoop& loop)
     const std::size_t ahead = i + kGroup;
     for (unsigned lane = 0; lane < kGroup && ahead < front.size; ++lane)
     {
-      prefetchLine(&loop.rows.recordOf(hits[kGroup + lane])->normal);
+      prefetchLine(&rows.recordOf(hits[kGroup + lane])->normal);
     }
     for (unsigned lane = 0; lane < kGroup; ++lane)
     {
-      const double* const normal = loop.rows.recordOf(hits[lane])->normal;
+      const double* const normal = rows.recordOf(hits[lane])->normal;
       x[lane] = normal[0];
       y[lane] = normal[1];
       z[lane] = normal[2];
@@ -331,8 +321,7 @@ void runSidesLoop(const SidesLoop& loop)
   }
 }
 
-template <class Lanes>
-void runSlotsLoop(const SlotsLoop& loop)
+void slotsLoop(const SlotsLoop& loop)
 {
   const WalkFront& front = loop.front;
   const SceneRows rows = loop.rows;
@@ -366,6 +355,10 @@ void runSlotsLoop(const SlotsLoop& loop)
     std::memcpy(loop.slots + (i - loop.first), slot, sizeof(slot));
   }
 }
+
+template <class Lanes>
+constexpr FrontLoops kLoops{ startLoop, surviveLoop<Lanes>, drawLoop, packLoop<Lanes>,
+  leaveLoop<Lanes>, sidesLoop, slotsLoop };
 
 }
 }

@@ -159,9 +159,10 @@ private:
 
 }
 
-#define IRRADIANCE_LEVEL(name) name##Avx2
-#define IRRADIANCE_LANES Avx2Lanes
-#include "Shooting/FrontLoopsOf.inl"
+const FrontLoops& frontLoopsAvx2()
+{
+  return kLoops<Avx2Lanes>;
+}
 
 }
 

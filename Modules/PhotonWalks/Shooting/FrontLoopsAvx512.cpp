@@ -115,9 +115,10 @@ private:
 
 }
 
-#define IRRADIANCE_LEVEL(name) name##Avx512
-#define IRRADIANCE_LANES Avx512Lanes
-#include "Shooting/FrontLoopsOf.inl"
+const FrontLoops& frontLoopsAvx512()
+{
+  return kLoops<Avx512Lanes>;
+}
 
 }
 

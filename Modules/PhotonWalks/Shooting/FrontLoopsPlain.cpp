@@ -64,8 +64,9 @@ struct PlainLanes
 
 }
 
-#define IRRADIANCE_LEVEL(name) name##Plain
-#define IRRADIANCE_LANES PlainLanes
-#include "Shooting/FrontLoopsOf.inl"
+const FrontLoops& frontLoopsPlain()
+{
+  return kLoops<PlainLanes>;
+}
 
 }

@@ -51,7 +51,7 @@ void FrontTally::findSlots(const WalkFront& front, std::size_t first, std::size_
 {
   const Replicates& replicates = sums_.plan().replicates();
   const auto perCell = static_cast<std::uint32_t>(sums_.slotsPerCell());
-  runSlots({ SceneRows(triangles_), front, first, end, perCell, perCell / 2,
+  frontLoops().findSlots({ SceneRows(triangles_), front, first, end, perCell, perCell / 2,
     static_cast<std::uint32_t>(sums_.bands()), replicates.count(), replicates.firstWalk(),
     counts_.escaped(), slots_ });
   if (sums_.rounds() > 1)

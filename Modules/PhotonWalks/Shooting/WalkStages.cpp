@@ -84,8 +84,8 @@ void WalkStages::startAtLights(WalkFront& front) const
 {
   assert(!lights_.isEmpty());
   front.pad();
-  runStart({ front, lightKeys_, positionKeys_, lights_.cumulativeFlux(), triangleOfLight_.data(),
-    front.candidate.data() });
+  frontLoops().start(
+    front, lightKeys_, positionKeys_, lights_.cumulativeFlux(), triangleOfLight_.data());
   if (triangles_.hasGlossy())
   {
     std::fill_n(front.isSpecular.data(), front.size, std::uint8_t{ 0 });
@@ -148,7 +148,7 @@ void WalkStages::setPowers(WalkFront& front) const
 void WalkStages::findSides(WalkFront& front) const
 {
   front.pad();
-  runSides({ SceneRows(triangles_), front });
+  frontLoops().findSides(front, SceneRows(triangles_));
 }
 
 void WalkStages::absorb(WalkFront& from, WalkFront& to) const
@@ -162,15 +162,15 @@ void WalkStages::absorb(WalkFront& from, WalkFront& to) const
   from.pad();
   if (sampler_.bands() == 1)
   {
-    runSurvive({ SceneRows(triangles_), from, survivalKeys_ });
+    frontLoops().survive(from, SceneRows(triangles_), survivalKeys_);
     chooseReflections(from);
   }
   else
   {
-    runDraw({ from, survivalKeys_, from.candidate.data() });
+    frontLoops().draw(from, survivalKeys_);
     decideByPowers(from);
   }
-  runPack({ from, to, triangles_.hasGlossy(), sampler_.bands() });
+  frontLoops().pack(from, to, triangles_.hasGlossy(), sampler_.bands());
   checkEnds(to);
 }
 
@@ -239,7 +239,7 @@ void WalkStages::leave(WalkFront& front) const
   }
   front.pad();
   const std::vector<Specular> specular = specularOf(front);
-  runLeave({ SceneRows(triangles_), front, directionKeys_ });
+  frontLoops().leave(front, SceneRows(triangles_), directionKeys_);
   leaveSpecularly(front, specular);
 }
 
