@@ -4,7 +4,6 @@
 #include "Exposure/IntegrationTimes.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace irradiance
 {
@@ -35,16 +34,15 @@ double worstShare(const std::vector<IntervalMeasure>& blocks,
   return worst;
 }
 
-bool isBetween(double start, double middle, double end)
+/// Whether there are numbers between its times.
+bool canHalve(const HalvableInterval& interval)
 {
-  return start < middle && middle < end;
+  const auto hasMiddle = [](double start, double end) {
+    return start < middleOf(start, end) && middleOf(start, end) < end;
+  };
+  return hasMiddle(interval.start, interval.middle) && hasMiddle(interval.middle, interval.end);
 }
 
-}
-
-void TimeHalving::add(HalvableInterval interval)
-{
-  open_.push_back(std::move(interval));
 }
 
 std::vector<IntervalMeasure> TimeHalving::totals() const
@@ -69,15 +67,10 @@ double TimeHalving::relativeNoise() const
   return worstShare(all, all, &IntervalMeasure::noise);
 }
 
-double TimeHalving::excess() const
-{
-  return relativeError() / config_.tolerance;
-}
-
 bool TimeHalving::isSettled(
   const HalvableInterval& interval, const std::vector<IntervalMeasure>& totals) const
 {
-  const double share = 0.5 * config_.tolerance * (interval.end - interval.start) / config_.span;
+  const double share = 0.5 * tolerance_ * (interval.end - interval.start) / span_;
   for (std::size_t i = 0; i < totals.size(); ++i)
   {
     // What is certain already: more will come, and what is in doubt may turn out to be nothing.
@@ -106,17 +99,11 @@ std::vector<std::size_t> TimeHalving::takeSettled()
   return ids;
 }
 
-bool TimeHalving::canHalve(const HalvableInterval& interval) const
-{
-  return isBetween(interval.start, middleOf(interval.start, interval.middle), interval.middle) &&
-    isBetween(interval.middle, middleOf(interval.middle, interval.end), interval.end);
-}
-
 std::optional<std::size_t> TimeHalving::takeWorst()
 {
   const std::vector<IntervalMeasure> all = totals();
   const std::size_t intervals = settledIntervals_ + 2 * open_.size();
-  if (relativeError() <= config_.tolerance || intervals + 2 > config_.mostIntervals)
+  if (relativeError() <= tolerance_ || intervals + 2 > mostIntervals_)
   {
     return std::nullopt;
   }

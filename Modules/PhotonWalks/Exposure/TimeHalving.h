@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace irradiance
@@ -38,20 +39,17 @@ struct HalvableInterval
 class TimeHalving
 {
 public:
-  struct Config
-  {
-    double span;               ///< length of all intervals
-    double tolerance;          ///< relative to the energy of a block, > 0
-    std::size_t mostIntervals; ///< each HalvableInterval is two
-  };
-
-  explicit TimeHalving(const Config& config)
-    : config_(config)
+  /// `span`: the length of all intervals. `tolerance`: relative to the energy of a block, > 0.
+  /// `mostIntervals`: each HalvableInterval is two.
+  TimeHalving(double span, double tolerance, std::size_t mostIntervals)
+    : span_(span)
+    , tolerance_(tolerance)
+    , mostIntervals_(mostIntervals)
   {
   }
 
   /// All intervals have as many blocks.
-  void add(HalvableInterval interval);
+  void add(HalvableInterval interval) { open_.push_back(std::move(interval)); }
   /// The ids of those that are settled now; they are forgotten, but for their sums.
   std::vector<std::size_t> takeSettled();
   /// The id of the worst, which is to be replaced by its halves, so it is forgotten. Nothing if the
@@ -64,14 +62,14 @@ public:
   double relativeError() const;
   double relativeNoise() const;
   /// The largest error of a block over the tolerated error.
-  double excess() const;
+  double excess() const { return relativeError() / tolerance_; }
 
 private:
   bool isSettled(
     const HalvableInterval& interval, const std::vector<IntervalMeasure>& totals) const;
-  bool canHalve(const HalvableInterval& interval) const;
 
-  Config config_;
+  double span_, tolerance_;
+  std::size_t mostIntervals_;
   std::vector<HalvableInterval> open_;
   std::vector<IntervalMeasure> settled_; ///< sums of each block
   std::size_t settledIntervals_ = 0;
