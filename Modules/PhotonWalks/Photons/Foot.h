@@ -3,8 +3,11 @@
 #define irradiance_Foot_h
 
 #include "Geometry/Ray.h"
-#include "Meshes/SolidSides.h"
-#include "Photons/Sensor.h"
+#include "Photons/PlacedTree.h"
+#include "Photons/Surfaces.h"
+
+#include <optional>
+#include <vector>
 
 namespace irradiance
 {
@@ -31,6 +34,15 @@ inline bool isInside(SolidSide solid, int side, bool isMirrored)
 {
   return solid == ((side > 0) != isMirrored ? SolidSide::InFront : SolidSide::Behind);
 }
+
+/**
+ * Finds where a sensor stands, no farther than `maximumDistance`. Sides that are inside of a body
+ * are taken only if they are less than half as far as others: a sensor near a thin object, but not
+ * quite on it, stands outside. Of several places at one distance the first by object and triangle.
+ * `placed`: the trees of the objects in their poses.
+ */
+std::optional<Foot> findFoot(const SceneObjects& objects, const Surfaces& surfaces,
+  const std::vector<PlacedTree>& placed, const Sensor& sensor, double maximumDistance);
 
 }
 

@@ -57,10 +57,6 @@ private:
     Tree() = default;
     explicit Tree(std::shared_ptr<const RigidObject> itsBody);
     std::size_t size() const; ///< photons
-    /// Keeps the memory for those that arrive next.
-    void empty();
-    /// Of leaves without photons.
-    void giveBackMemory();
 
     std::shared_ptr<const RigidObject> body;
     LeafTable table;

@@ -2,11 +2,9 @@
 #ifndef irradiance_NearestPhotons_h
 #define irradiance_NearestPhotons_h
 
-#include "Photons/FootSearch.h"
+#include "Photons/Foot.h"
 #include "Photons/LeafPhotons.h"
-#include "Photons/PlacedTree.h"
 #include "Photons/SeenSurface.h"
-#include "Photons/Surfaces.h"
 
 #include <optional>
 #include <vector>

@@ -15,34 +15,29 @@ constexpr std::size_t kUsual = 12;
 /// So few are not cut, as they often all leave: a leaf of small triangles.
 constexpr std::size_t kFew = 3 * kUsual;
 
-/// The axis along which photons spread most.
-struct Extent
+/// The axis along which photons spread most, and how far.
+template <class Iterator>
+std::pair<std::size_t, float> widestAxis(Iterator begin, Iterator end)
 {
-  std::size_t axis = 0;
-  float width = 0;
-
-  template <class Iterator>
-  Extent(Iterator begin, Iterator end)
+  UnitPoint lower = begin->position, upper = lower;
+  for (; begin != end; ++begin)
   {
-    UnitPoint lower = begin->position, upper = lower;
-    for (; begin != end; ++begin)
-    {
-      for (std::size_t i = 0; i < 3; ++i)
-      {
-        lower[i] = std::min(lower[i], begin->position[i]);
-        upper[i] = std::max(upper[i], begin->position[i]);
-      }
-    }
     for (std::size_t i = 0; i < 3; ++i)
     {
-      if (upper[i] - lower[i] > width)
-      {
-        width = upper[i] - lower[i];
-        axis = i;
-      }
+      lower[i] = std::min(lower[i], begin->position[i]);
+      upper[i] = std::max(upper[i], begin->position[i]);
     }
   }
-};
+  std::pair<std::size_t, float> widest{};
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    if (upper[i] - lower[i] > widest.second)
+    {
+      widest = { i, upper[i] - lower[i] };
+    }
+  }
+  return widest;
+}
 
 /// Appends `count` entries. Doubling might waste half of the memory.
 template <class Entry>
@@ -196,30 +191,27 @@ int PhotonTree::insert(const Photons& photons)
   for (std::size_t i = 0; i < photons.size(); ++i)
   {
     // Others may have cut it since.
-    const Place end = endOf(photons[i], ends[i]);
-    insertAt(end, photons[i]);
-    deepest = std::max(deepest, end.depth + 1);
-  }
-  return deepest;
-}
-
-void PhotonTree::insertAt(const Place& place, const LeafPhoton& photon)
-{
-  const Node end = nodes_[place.node];
-  ++size_;
-  for (std::size_t i = 0; i < end.packs(); ++i)
-  {
-    if (packs_[end.firstPack() + i].add(photon))
+    const Place place = endOf(photons[i], ends[i]);
+    deepest = std::max(deepest, place.depth + 1);
+    const Node end = nodes_[place.node];
+    std::size_t pack = end.firstPack();
+    const std::size_t behind = pack + end.packs();
+    while (pack < behind && !packs_[pack].add(photons[i]))
     {
-      return;
+      ++pack;
+    }
+    if (pack == behind)
+    {
+      Photons crowd;
+      crowd.reserve(end.packs() * PhotonPack::kSize + 1);
+      addTo(crowd, end);
+      crowd.push_back(photons[i]);
+      std::size_t spare = end.firstPack();
+      build(place.node, crowd.begin(), crowd.end(), spare);
     }
   }
-  Photons crowd;
-  crowd.reserve(end.packs() * PhotonPack::kSize + 1);
-  addTo(crowd, end);
-  crowd.push_back(photon);
-  std::size_t spare = end.firstPack();
-  build(place.node, crowd.begin(), crowd.end(), spare);
+  size_ += photons.size();
+  return deepest;
 }
 
 bool PhotonTree::remove(const Photons& photons)
@@ -228,26 +220,20 @@ bool PhotonTree::remove(const Photons& photons)
     endsOf(photons, [](const PhotonPack& pack) { pack.prefetchForRemoval(); });
   for (std::size_t i = 0; i < photons.size(); ++i)
   {
-    if (!removeAt(ends[i], photons[i]))
+    const Node& end = nodes_[ends[i].node];
+    std::size_t pack = end.firstPack();
+    const std::size_t behind = pack + end.packs();
+    while (pack < behind && !packs_[pack].remove(photons[i].reference()))
+    {
+      ++pack;
+    }
+    if (pack == behind)
     {
       return false;
     }
+    --size_;
   }
   return true;
-}
-
-bool PhotonTree::removeAt(const Place& place, const LeafPhoton& photon)
-{
-  const Node& end = nodes_[place.node];
-  for (std::size_t i = 0; i < end.packs(); ++i)
-  {
-    if (packs_[end.firstPack() + i].remove(photon.reference()))
-    {
-      --size_;
-      return true;
-    }
-  }
-  return false;
 }
 
 bool PhotonTree::isWasteful() const
@@ -279,13 +265,13 @@ void PhotonTree::build(
   std::size_t node, Photons::iterator begin, Photons::iterator end, std::size_t& spare)
 {
   const auto size = static_cast<std::size_t>(end - begin);
-  const Extent extent(begin, end);
-  if (size <= PhotonPack::kSize || extent.width == 0)
+  const auto [axis, width] = widestAxis(begin, end);
+  if (size <= PhotonPack::kSize || width == 0)
   {
     return makeEnd(node, begin, size, spare);
   }
-  const std::size_t axis = extent.axis, packs = (size + kUsual - 1) / kUsual;
-  const auto byPlace = [axis](const LeafPhoton& a, const LeafPhoton& b) {
+  const std::size_t packs = (size + kUsual - 1) / kUsual;
+  const auto byPlace = [axis = axis](const LeafPhoton& a, const LeafPhoton& b) {
     return a.position[axis] < b.position[axis];
   };
   auto middle = begin + static_cast<std::ptrdiff_t>(size * (packs / 2) / packs);

@@ -23,18 +23,16 @@ struct LocalSensor
   float blur;
 };
 
-/// Of the angles between a direction and the normals of a node's triangles, on whichever side.
-struct CosineRange
+/// How many triangles of a node have a property.
+enum class Share
 {
-  double least, most;
-
-  /// `direction`: in the unit frame.
-  CosineRange(const SurfaceNode& node, const Vector3& direction);
-
-  // Next to the limit rounding decides, which a look at single triangles does better.
-  bool mayFace() const { return most >= Facing::kLeastCosine - 0x1p-20; }
-  bool doFace() const { return least >= Facing::kLeastCosine + 0x1p-20; }
+  None,
+  Some, ///< or not known
+  All
 };
+
+/// Of the triangles that face a direction in the unit frame, on whichever side, see Facing.
+Share facingShare(const SurfaceNode& node, const Vector3& direction);
 
 /**
  * The tree of an object in its pose: distances in its unit frame and in the world. The latter are
@@ -74,7 +72,7 @@ public:
   /// False if no triangle of the node faces a direction in the world.
   bool mayFace(const SurfaceNode& node, const Vector3& world) const
   {
-    return !keepsAngles() || CosineRange(node, unitDirection(world)).mayFace();
+    return !keepsAngles() || facingShare(node, unitDirection(world)) != Share::None;
   }
   /// No point of the node is closer to a place, given in the unit frame, than this; world.
   double distanceAtLeast(const SurfaceNode& node, const Vector3& unit) const

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Photons/FootSearch.h"
+#include "Photons/Foot.h"
 
 #include "Meshes/ClosestPoint.h"
 
@@ -12,29 +12,62 @@
 namespace irradiance
 {
 
-bool FootSearch::Found::isCloser(const Found& other) const
+namespace
 {
-  return std::make_tuple(squaredDistance, id.object, id.triangle) <
-    std::make_tuple(other.squaredDistance, other.id.object, other.id.triangle);
-}
 
-FootSearch::FootSearch(const SceneObjects& objects, const Surfaces& surfaces,
-  const std::vector<PlacedTree>& placed, const Sensor& sensor)
-  : objects_(objects)
-  , surfaces_(surfaces)
-  , placed_(placed)
-  , sensor_(sensor)
+/// What is found so far.
+struct Found
 {
-}
+  double squaredDistance = kInfinity;
+  TriangleId id;
+  int side = 0;
 
-std::optional<Foot> FootSearch::find(double maximumDistance)
+  bool isCloser(const Found& other) const
+  {
+    return std::make_tuple(squaredDistance, id.object, id.triangle) <
+      std::make_tuple(other.squaredDistance, other.id.object, other.id.triangle);
+  }
+};
+
+class FootSearch
 {
-  maximumDistance_ = maximumDistance;
+public:
+  FootSearch(const SceneObjects& objects, const Surfaces& surfaces,
+    const std::vector<PlacedTree>& placed, const Sensor& sensor, double maximumDistance)
+    : objects_(objects)
+    , surfaces_(surfaces)
+    , placed_(placed)
+    , sensor_(sensor)
+    , maximumDistance_(maximumDistance)
+  {
+  }
+
+  std::optional<Foot> run();
+
+private:
+  /// From the sensor to the closest point of a triangle, world.
+  Vector3 closestOn(const TriangleId& id) const;
+  /// On a side of a triangle.
+  Foot on(const TriangleId& id, int side) const;
+  double limit() const;
+  void search(std::uint32_t object, std::size_t node, const Facing& facing, const Vector3& unit);
+  void test(std::uint32_t object, std::uint32_t triangle, const Facing& facing);
+
+  const SceneObjects& objects_;
+  const Surfaces& surfaces_;
+  const std::vector<PlacedTree>& placed_;
+  const Sensor& sensor_;
+  double maximumDistance_;
+  Found inside_, outside_;
+};
+
+std::optional<Foot> FootSearch::run()
+{
   std::vector<std::pair<double, std::uint32_t>> nearest;
   for (std::uint32_t i = 0; i < objects_.size(); ++i)
   {
     const double distance = placed_[i].distanceAtLeast(sensor_.position);
-    if (!objects_[i].isEmpty() && !surfaces_.of(i).isEmpty() && distance <= maximumDistance)
+    if (!objects_[i].isEmpty() && !surfaces_.of(i).isEmpty() && distance <= maximumDistance_)
     {
       nearest.emplace_back(distance, i);
     }
@@ -129,6 +162,14 @@ Foot FootSearch::on(const TriangleId& id, int side) const
   return { { sensor_.position + closest, sensor_.normal }, Vector3(side * front),
     isInside(surfaces_.of(id.object).solidSide(id.triangle), side, placed.isMirrored()),
     closest.norm(), placed.size(), id, side > 0 };
+}
+
+}
+
+std::optional<Foot> findFoot(const SceneObjects& objects, const Surfaces& surfaces,
+  const std::vector<PlacedTree>& placed, const Sensor& sensor, double maximumDistance)
+{
+  return FootSearch(objects, surfaces, placed, sensor, maximumDistance).run();
 }
 
 }
