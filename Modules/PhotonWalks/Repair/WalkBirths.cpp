@@ -115,7 +115,7 @@ bool WalkBirths::run(Unit& unit, bool isNew, const Deadline& deadline)
     }
     isDone = unit.open->run(tally, [&] { return deadline.hasPassed(); });
   }
-  balance_.add(balance);
+  addLocked(balance, state_.balance, mutex_);
   return isDone;
 }
 

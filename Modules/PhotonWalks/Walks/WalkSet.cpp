@@ -116,7 +116,7 @@ void WalkSet::shootBlocks(
 {
   const SobolSequence samples = this->samples();
   const WalkTracer tracer = this->tracer(frame, samples);
-  SharedBalance total(balance_);
+  std::mutex mutex;
   const std::size_t first = blocks_.before(walks.firstBlock), end = blocks_.before(walks.endBlock);
   const std::size_t units = (end - first + kBlocksTogether - 1) / kBlocksTogether;
   std::vector<std::unique_ptr<WalkBatch>> open(units);
@@ -141,7 +141,7 @@ void WalkSet::shootBlocks(
     {
       batches_->giveBack(std::move(open[unit]));
     }
-    total.add(balance);
+    addLocked(balance, balance_, mutex);
     return isDone;
   };
   pass.run(execution);
