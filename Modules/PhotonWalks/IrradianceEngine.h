@@ -8,7 +8,7 @@
 #include "Photons/NearestPhotons.h"
 #include "Repair/SceneChange.h"
 #include "Surfaces/Frame.h"
-#include "Walks/FrameLights.h"
+#include "Walks/LightSurvey.h"
 #include "Walks/WalkSets.h"
 
 #include <memory>

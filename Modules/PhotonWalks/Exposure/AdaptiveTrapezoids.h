@@ -85,14 +85,77 @@ private:
   {
     return std::make_shared<Span>(Span{ whole, isSecond, nullptr });
   }
-  void makeSpans(const std::shared_ptr<Span>& span, std::size_t count);
+  void makeSpans(const std::shared_ptr<Span>& span, std::size_t count)
+  {
+    if (count == 1)
+    {
+      firstSpans_.push_back(span);
+      return;
+    }
+    makeSpans(halfOf(span, false), count / 2);
+    makeSpans(halfOf(span, true), count - count / 2);
+  }
   template <class Measure>
-  void addPair(const Pair& pair, const Measure& measure);
-  void settle(std::size_t id);
-  void deliver(std::shared_ptr<Span> span, std::unique_ptr<Sums> sums);
+  void addPair(const Pair& pair, const Measure& measure)
+  {
+    const std::size_t id = nextId_++;
+    halving_.add({ id, pair.start->time, pair.middle->time, pair.end->time,
+      measure(
+        std::array<const Sample*, 3>{ pair.start.get(), pair.middle.get(), pair.end.get() }) });
+    open_.emplace(id, pair);
+  }
+  void settle(std::size_t id)
+  {
+    const Pair pair = open_.at(id);
+    open_.erase(id);
+    const double start = pair.start->time, middle = pair.middle->time, end = pair.end->time;
+    auto sums = std::make_unique<Sums>();
+    sums->add(*pair.start, trapezoidWeight(start, middle));
+    sums->add(*pair.middle, trapezoidWeight(start, end));
+    sums->add(*pair.end, trapezoidWeight(middle, end));
+    sums->close();
+    deliver(pair.span, std::move(sums));
+  }
+  void deliver(std::shared_ptr<Span> span, std::unique_ptr<Sums> sums)
+  {
+    for (; span->whole; span = span->whole)
+    {
+      std::unique_ptr<Sums>& other = span->whole->half;
+      if (!other)
+      {
+        other = std::move(sums);
+        return;
+      }
+      if (span->isSecond)
+      {
+        std::swap(sums, other);
+      }
+      sums->append(std::move(*other));
+    }
+    sums_ = std::move(sums);
+  }
   /// Asks for the halves of the worst pair, or ends.
-  void halveWorst();
-  void finish();
+  void halveWorst()
+  {
+    // It falls about like a geometric sequence, until it is 1.
+    const double left = std::log(halving_.excess()) / std::log(firstExcess_);
+    const auto worst = halving_.takeWorst();
+    if (!worst)
+    {
+      while (!open_.empty())
+      {
+        settle(open_.begin()->first);
+      }
+      std::sort(times_.begin(), times_.end());
+      progress_ = 1;
+      return;
+    }
+    progress_ = std::max(progress_, 1 - (1 - kFirstShare) * std::clamp(left, 0.0, 1.0));
+    const Pair pair = open_.at(*worst);
+    open_.erase(*worst);
+    tasks_.push_back({ pair.start, nullptr, pair.middle, halfOf(pair.span, false) });
+    tasks_.push_back({ pair.middle, nullptr, pair.end, halfOf(pair.span, true) });
+  }
 
   std::vector<double> firstTimes_;
   TimeHalving halving_;
@@ -106,19 +169,6 @@ private:
   double progress_ = 0;
   std::unique_ptr<Sums> sums_; ///< over all; null until it is done
 };
-
-template <class Sample, class Sums>
-void AdaptiveTrapezoids<Sample, Sums>::makeSpans(
-  const std::shared_ptr<Span>& span, std::size_t count)
-{
-  if (count == 1)
-  {
-    firstSpans_.push_back(span);
-    return;
-  }
-  makeSpans(halfOf(span, false), count / 2);
-  makeSpans(halfOf(span, true), count - count / 2);
-}
 
 template <class Sample, class Sums>
 std::vector<double> AdaptiveTrapezoids<Sample, Sums>::nextTimes(std::size_t most) const
@@ -172,80 +222,6 @@ void AdaptiveTrapezoids<Sample, Sums>::take(Sample sample, const Measure& measur
   {
     halveWorst();
   }
-}
-
-template <class Sample, class Sums>
-template <class Measure>
-void AdaptiveTrapezoids<Sample, Sums>::addPair(const Pair& pair, const Measure& measure)
-{
-  const std::size_t id = nextId_++;
-  halving_.add({ id, pair.start->time, pair.middle->time, pair.end->time,
-    measure(std::array<const Sample*, 3>{ pair.start.get(), pair.middle.get(), pair.end.get() }) });
-  open_.emplace(id, pair);
-}
-
-template <class Sample, class Sums>
-void AdaptiveTrapezoids<Sample, Sums>::halveWorst()
-{
-  // It falls about like a geometric sequence, until it is 1.
-  const double left = std::log(halving_.excess()) / std::log(firstExcess_);
-  const auto worst = halving_.takeWorst();
-  if (!worst)
-  {
-    finish();
-    return;
-  }
-  progress_ = std::max(progress_, 1 - (1 - kFirstShare) * std::clamp(left, 0.0, 1.0));
-  const Pair pair = open_.at(*worst);
-  open_.erase(*worst);
-  tasks_.push_back({ pair.start, nullptr, pair.middle, halfOf(pair.span, false) });
-  tasks_.push_back({ pair.middle, nullptr, pair.end, halfOf(pair.span, true) });
-}
-
-template <class Sample, class Sums>
-void AdaptiveTrapezoids<Sample, Sums>::settle(std::size_t id)
-{
-  const Pair pair = open_.at(id);
-  open_.erase(id);
-  const double start = pair.start->time, middle = pair.middle->time, end = pair.end->time;
-  auto sums = std::make_unique<Sums>();
-  sums->add(*pair.start, trapezoidWeight(start, middle));
-  sums->add(*pair.middle, trapezoidWeight(start, end));
-  sums->add(*pair.end, trapezoidWeight(middle, end));
-  sums->close();
-  deliver(pair.span, std::move(sums));
-}
-
-template <class Sample, class Sums>
-void AdaptiveTrapezoids<Sample, Sums>::deliver(
-  std::shared_ptr<Span> span, std::unique_ptr<Sums> sums)
-{
-  for (; span->whole; span = span->whole)
-  {
-    std::unique_ptr<Sums>& other = span->whole->half;
-    if (!other)
-    {
-      other = std::move(sums);
-      return;
-    }
-    if (span->isSecond)
-    {
-      std::swap(sums, other);
-    }
-    sums->append(std::move(*other));
-  }
-  sums_ = std::move(sums);
-}
-
-template <class Sample, class Sums>
-void AdaptiveTrapezoids<Sample, Sums>::finish()
-{
-  while (!open_.empty())
-  {
-    settle(open_.begin()->first);
-  }
-  std::sort(times_.begin(), times_.end());
-  progress_ = 1;
 }
 
 }

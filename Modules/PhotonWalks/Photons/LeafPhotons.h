@@ -38,7 +38,6 @@ public:
     const PhotonChanges& changes, Execution& execution);
 
   const TriangleTree& tree(std::uint32_t object) const { return trees_[object].body->tree(); }
-  const LeafTable& table(std::uint32_t object) const { return trees_[object].table; }
   /// `leaf`: the number of its first block.
   const PhotonTree& leaf(std::uint32_t object, std::uint32_t leaf) const
   {

@@ -82,16 +82,15 @@ private:
     std::uint32_t object;
     LocalSensor sensor;
     SeenSurface surface;
-    float least;
 
     /// Of what lies this far away in the unit frame; less by the blur.
     float lowerBound(float squaredUnitDistance) const
     {
-      return least * std::sqrt(squaredUnitDistance) - sensor.blur;
+      return sensor.least * std::sqrt(squaredUnitDistance) - sensor.blur;
     }
     float squaredUnitLimit(float limit) const
     {
-      const float unit = (limit + sensor.blur) / least;
+      const float unit = (limit + sensor.blur) / sensor.least;
       return unit * unit * kWider;
     }
   };
@@ -127,8 +126,7 @@ private:
   /// Returns the object's view.
   std::uint32_t see(std::uint32_t object)
   {
-    const PlacedTree& tree = owner_.trees_[object];
-    views_.push_back({ object, tree.see(sensor_), owner_.seen(object, foot_), tree.least() });
+    views_.push_back({ object, owner_.trees_[object].see(sensor_), owner_.seen(object, foot_) });
     return static_cast<std::uint32_t>(views_.size() - 1);
   }
 

@@ -83,7 +83,7 @@ void PhotonTree::addTo(Photons& photons, const Node& end) const
 {
   for (std::size_t i = 0; i < end.packs(); ++i)
   {
-    const PhotonPack& pack = packs_[end.firstPack() + i];
+    const PhotonPack& pack = packs_[end.first() + i];
     for (unsigned lane = 0; lane < PhotonPack::kSize; ++lane)
     {
       if (pack.isUsed(lane))
@@ -99,7 +99,7 @@ PhotonTree::Place PhotonTree::endOf(const LeafPhoton& photon, Place place) const
   for (; !nodes_[place.node].isEnd(); ++place.depth)
   {
     const Node& node = nodes_[place.node];
-    place.node = node.left() + (photon.position[node.axis()] < node.plane() ? 0 : 1);
+    place.node = node.first() + (photon.position[node.axis()] < node.value ? 0 : 1);
   }
   return place;
 }
@@ -122,15 +122,15 @@ std::vector<PhotonTree::Place> PhotonTree::endsOf(
         const Node& node = nodes_[ends[i].node];
         if (!node.isEnd())
         {
-          const bool isRight = photons[i].position[node.axis()] >= node.plane();
-          ends[i] = { node.left() + (isRight ? 1 : 0), ends[i].depth + 1 };
+          const bool isRight = photons[i].position[node.axis()] >= node.value;
+          ends[i] = { node.first() + (isRight ? 1 : 0), ends[i].depth + 1 };
           ++open;
         }
       }
     }
     for (std::size_t i = begin; i < end; ++i)
     {
-      prefetch(packs_[nodes_[ends[i].node].firstPack()]);
+      prefetch(packs_[nodes_[ends[i].node].first()]);
     }
   }
   return ends;
@@ -194,7 +194,7 @@ int PhotonTree::insert(const Photons& photons)
     const Place place = endOf(photons[i], ends[i]);
     deepest = std::max(deepest, place.depth + 1);
     const Node end = nodes_[place.node];
-    std::size_t pack = end.firstPack();
+    std::size_t pack = end.first();
     const std::size_t behind = pack + end.packs();
     while (pack < behind && !packs_[pack].add(photons[i]))
     {
@@ -206,7 +206,7 @@ int PhotonTree::insert(const Photons& photons)
       crowd.reserve(end.packs() * PhotonPack::kSize + 1);
       addTo(crowd, end);
       crowd.push_back(photons[i]);
-      std::size_t spare = end.firstPack();
+      std::size_t spare = end.first();
       build(place.node, crowd.begin(), crowd.end(), spare);
     }
   }
@@ -221,7 +221,7 @@ bool PhotonTree::remove(const Photons& photons)
   for (std::size_t i = 0; i < photons.size(); ++i)
   {
     const Node& end = nodes_[ends[i].node];
-    std::size_t pack = end.firstPack();
+    std::size_t pack = end.first();
     const std::size_t behind = pack + end.packs();
     while (pack < behind && !packs_[pack].remove(photons[i].reference()))
     {
@@ -288,7 +288,7 @@ void PhotonTree::build(
   }
   const std::size_t left = nodes_.size();
   append(nodes_, 2);
-  nodes_[node] = Node::inner(plane, axis, left);
+  nodes_[node] = { plane, static_cast<std::uint32_t>(left << 2 | axis) };
   build(left, begin, middle, spare);
   build(left + 1, middle, end, spare);
 }
@@ -310,7 +310,7 @@ void PhotonTree::makeEnd(
     {
     }
   }
-  nodes_[node] = Node::end(first, packs);
+  nodes_[node] = { static_cast<float>(packs), static_cast<std::uint32_t>(first << 2 | Node::kEnd) };
 }
 
 }

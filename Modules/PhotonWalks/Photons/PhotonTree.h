@@ -62,7 +62,13 @@ public:
     {
       if (!isUsed(lane))
       {
-        set(lane, photon);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          position_[axis][lane] = photon.position[axis];
+        }
+        walk_[lane] = photon.walk;
+        bounceAndSide_[lane] = photon.bounceAndSide;
+        triangle_[lane] = photon.triangle;
         return true;
       }
     }
@@ -98,17 +104,6 @@ public:
 
 private:
   static constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-
-  void set(unsigned lane, const LeafPhoton& photon)
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      position_[axis][lane] = photon.position[axis];
-    }
-    walk_[lane] = photon.walk;
-    bounceAndSide_[lane] = photon.bounceAndSide;
-    triangle_[lane] = photon.triangle;
-  }
 
   float position_[3][kSize];
   std::uint32_t walk_[kSize];
@@ -149,39 +144,19 @@ private:
   static constexpr int kDeepest = 64; ///< planes in a row
   static constexpr std::size_t kNoPack = ~std::size_t{};
 
-  /// A plane with the nodes on its two sides; or an end with its packs, which are several only if
-  /// all photons were in one place, or they are few.
-  class Node
+  /// A plane with the nodes on its two sides, the right one behind the left one; or an end with its
+  /// packs, which are several only if all photons were in one place, or they are few.
+  struct Node
   {
-  public:
-    Node() = default;
-    static Node inner(float plane, std::size_t axis, std::size_t left)
-    {
-      return { plane, left << 2 | axis };
-    }
-    static Node end(std::size_t firstPack, std::size_t packs)
-    {
-      return { static_cast<float>(packs), firstPack << 2 | kEnd };
-    }
-    bool isEnd() const { return (link_ & kEnd) == kEnd; }
-    std::size_t axis() const { return link_ & kEnd; }
-    float plane() const { return value_; }
-    /// The one behind it is the right one.
-    std::size_t left() const { return link_ >> 2; }
-    std::size_t firstPack() const { return link_ >> 2; }
-    std::size_t packs() const { return static_cast<std::size_t>(value_); }
-
-  private:
     static constexpr std::uint32_t kEnd = 3;
 
-    Node(float value, std::size_t link)
-      : value_(value)
-      , link_(static_cast<std::uint32_t>(link))
-    {
-    }
+    float value = 0;           ///< where the plane is; at an end the number of packs
+    std::uint32_t link = kEnd; ///< the axis, or kEnd; above two bits the left node, or first pack
 
-    float value_ = 0;
-    std::uint32_t link_ = kEnd;
+    bool isEnd() const { return (link & kEnd) == kEnd; }
+    std::size_t axis() const { return link & kEnd; }
+    std::size_t first() const { return link >> 2; }
+    std::size_t packs() const { return static_cast<std::size_t>(value); }
   };
   using Photons = std::vector<LeafPhoton>;
 
@@ -246,17 +221,17 @@ void PhotonTree::visitNear(
     while (!nodes_[at.node].isEnd())
     {
       const Node& node = nodes_[at.node];
-      const float beyond = point[node.axis()] - node.plane();
+      const float beyond = point[node.axis()] - node.value;
       const std::size_t isRight = beyond < 0 ? 0 : 1;
       Pending& far = pending[count++] = at;
-      far.node = node.left() + 1 - isRight;
+      far.node = node.first() + 1 - isRight;
       far.outside[node.axis()] = beyond;
-      at.node = node.left() + isRight;
+      at.node = node.first() + isRight;
     }
     const Node& end = nodes_[at.node];
     for (std::size_t i = 0; i < end.packs(); ++i)
     {
-      visit(packs_[end.firstPack() + i]);
+      visit(packs_[end.first() + i]);
     }
   }
 }

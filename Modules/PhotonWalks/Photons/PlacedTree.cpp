@@ -71,7 +71,7 @@ LocalSensor PlacedTree::see(const Sensor& sensor) const
   const double blur = floats + 0x1p-48 * condition_ * reach;
   return { { static_cast<float>(unit[0]), static_cast<float>(unit[1]),
              static_cast<float>(unit[2]) },
-    (sensor.flattening() * stretch_).cast<float>(), static_cast<float>(blur) };
+    (sensor.flattening() * stretch_).cast<float>(), static_cast<float>(blur), least_ };
 }
 
 }

@@ -21,6 +21,7 @@ struct LocalSensor
   /// Distances to photons, computed in floats, are off by less than this, and so are those to the
   /// boxes of their leaves.
   float blur;
+  float least; ///< no vector of length 1 in the unit frame is shorter, flattened or not
 };
 
 /// How many triangles of a node have a property.
@@ -52,10 +53,6 @@ public:
   }
   Facing facing(const Sensor& sensor) const { return { linear_, frame_.scale, sensor.normal }; }
 
-  /// No vector of length 1 in the unit frame is shorter than this in search units, flattened or
-  /// not.
-  float least() const { return least_; }
-
   /// Of the object in the world.
   double size() const { return size_; }
   bool isMirrored() const { return linear_.determinant() < 0; }
@@ -63,7 +60,6 @@ public:
   /// does; their unit frame is the frame of the object's SurfaceTree.
   bool keepsAngles() const { return worldUnitsPerUnit_ > 0; }
   double worldUnitsPerUnit() const { return worldUnitsPerUnit_; }
-  double worldAreaOfUnit() const { return worldUnitsPerUnit_ * worldUnitsPerUnit_; }
   Vector3 unitPoint(const Vector3& world) const
   {
     return surfaceFrame_(inverse_ * (world - worldFromObject_.translation));

@@ -99,7 +99,8 @@ double SeenSurface::areaOf(std::size_t number, double radius) const
   const Share share = shareOf(node, radius);
   if (share != Share::Some)
   {
-    return share == Share::All ? node.area * placed_.worldAreaOfUnit() : 0.0;
+    const double unit = placed_.worldUnitsPerUnit();
+    return share == Share::All ? node.area * (unit * unit) : 0.0;
   }
   if (!node.isLeaf())
   {

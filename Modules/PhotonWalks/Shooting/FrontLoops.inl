@@ -203,52 +203,31 @@ __attribute__((always_inline)) inline double mostOf(double a, double b)
   return a > b ? a : b;
 }
 
-/// The points that walks leave, with the operations of SurfaceFormula in its order.
-struct PointLanes
+/// The points that walks leave, with the operations of SurfaceFormula in its order. `side`: 1
+/// front, -1 back. `normal`: of the side.
+__attribute__((always_inline)) inline void placeOrigins(const RecordLanes& record,
+  const float* weightB, const float* weightC, const double* side, double (&origin)[3][kGroup],
+  float (&normal)[3][kGroup])
 {
-  alignas(64) double side[kGroup]; ///< 1 front, -1 back
-  alignas(64) double origin[3][kGroup];
-  alignas(64) float normal[3][kGroup]; ///< of the side
-
-  __attribute__((always_inline)) void place(
-    const RecordLanes& record, const float* weightB, const float* weightC)
-  {
-    const auto& c = record.column;
-    for (unsigned lane = 0; lane < kGroup; ++lane)
-    {
-      const double b = weightB[lane], g = weightC[lane], a = 1 - b - g;
-      const double keptA = mostOf(a, c[RecordLanes::Inset][lane]),
-                   keptB = mostOf(b, c[RecordLanes::Inset + 1][lane]),
-                   keptC = mostOf(g, c[RecordLanes::Inset + 2][lane]);
-      const double scale = 1 / (keptA + keptB + keptC);
-      for (unsigned axis = 0; axis < 3; ++axis)
-      {
-        const double turned = side[lane] * c[RecordLanes::Normal + axis][lane];
-        const double position =
-          (keptA * c[RecordLanes::A + axis][lane] + keptB * c[RecordLanes::B + axis][lane] +
-            keptC * c[RecordLanes::C + axis][lane]) *
-          scale;
-        origin[axis][lane] = position + c[RecordLanes::Clearance][lane] * turned;
-        normal[axis][lane] = static_cast<float>(turned);
-      }
-    }
-  }
-};
-
-template <class Lanes>
-__attribute__((always_inline)) inline void leavePoints(
-  WalkFront& front, const SceneRows& rows, std::size_t i, PointLanes& points)
-{
-  RecordLanes record;
-  record.load<Lanes>(rows, &front.start[i]);
+  const auto& c = record.column;
   for (unsigned lane = 0; lane < kGroup; ++lane)
   {
-    points.side[lane] = front.side[i + lane] != 0 ? 1.0 : -1.0;
+    const double b = weightB[lane], g = weightC[lane], a = 1 - b - g;
+    const double keptA = mostOf(a, c[RecordLanes::Inset][lane]),
+                 keptB = mostOf(b, c[RecordLanes::Inset + 1][lane]),
+                 keptC = mostOf(g, c[RecordLanes::Inset + 2][lane]);
+    const double scale = 1 / (keptA + keptB + keptC);
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      const double turned = side[lane] * c[RecordLanes::Normal + axis][lane];
+      const double position =
+        (keptA * c[RecordLanes::A + axis][lane] + keptB * c[RecordLanes::B + axis][lane] +
+          keptC * c[RecordLanes::C + axis][lane]) *
+        scale;
+      origin[axis][lane] = position + c[RecordLanes::Clearance][lane] * turned;
+      normal[axis][lane] = static_cast<float>(turned);
+    }
   }
-  points.place(record, &front.weightB[i], &front.weightC[i]);
-  std::memcpy(&front.originX[i], points.origin[0], sizeof(points.origin[0]));
-  std::memcpy(&front.originY[i], points.origin[1], sizeof(points.origin[1]));
-  std::memcpy(&front.originZ[i], points.origin[2], sizeof(points.origin[2]));
 }
 
 /// Asks memory for the records of the next group.
@@ -269,17 +248,26 @@ template <class Lanes>
 void leaveLoop(WalkFront& front, SceneRows rows, const BounceKeys& keys)
 {
   SampleGroup samples;
-  PointLanes points;
-  alignas(64) float direction[3][kGroup];
+  RecordLanes record;
+  alignas(64) double side[kGroup], origin[3][kGroup];
+  alignas(64) float normal[3][kGroup], direction[3][kGroup];
   for (std::size_t i = 0; i < front.size; i += kGroup)
   {
     prefetchRecords(rows, front, i);
-    leavePoints<Lanes>(front, rows, i, points);
+    record.load<Lanes>(rows, &front.start[i]);
+    for (unsigned lane = 0; lane < kGroup; ++lane)
+    {
+      side[lane] = front.side[i + lane] != 0 ? 1.0 : -1.0;
+    }
+    placeOrigins(record, &front.weightB[i], &front.weightC[i], side, origin, normal);
+    std::memcpy(&front.originX[i], origin[0], sizeof(origin[0]));
+    std::memcpy(&front.originY[i], origin[1], sizeof(origin[1]));
+    std::memcpy(&front.originZ[i], origin[2], sizeof(origin[2]));
     samples.draw(keys, &front.walk[i], &front.bounce[i], 0);
     for (unsigned lane = 0; lane < kGroup; ++lane)
     {
-      const CosineDirectionInFloat leaving(points.normal[0][lane], points.normal[1][lane],
-        points.normal[2][lane], samples.x[lane], samples.y[lane]);
+      const CosineDirectionInFloat leaving(
+        normal[0][lane], normal[1][lane], normal[2][lane], samples.x[lane], samples.y[lane]);
       direction[0][lane] = leaving.x;
       direction[1][lane] = leaving.y;
       direction[2][lane] = leaving.z;

@@ -103,10 +103,20 @@ struct Avx2Lanes
       }
     }
 
-    void operator()(const std::uint32_t* from, std::uint32_t* to) const { packWords(from, to); }
-    void operator()(const float* from, float* to) const { packWords(from, to); }
-    void operator()(const double* from, double* to) const { packDoubles(from, to); }
-    void operator()(const std::int64_t* from, std::int64_t* to) const { packDoubles(from, to); }
+    /// Values of one word or two.
+    template <class Value>
+    void operator()(const Value* from, Value* to) const
+    {
+      constexpr bool isWord = sizeof(Value) == 4;
+      constexpr std::size_t kLanes = isWord ? 8 : 4;
+      for (std::size_t i = 0; i < kPacked / kLanes; ++i)
+      {
+        const __m256i all = _mm256_load_si256(reinterpret_cast<const __m256i*>(from + kLanes * i));
+        const __m256i kept = _mm256_permutevar8x32_epi32(all, isWord ? words_[i] : doubles_[i]);
+        _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), kept);
+        to += isWord ? quarters_[0] + quarters_[1] : quarters_[i];
+      }
+    }
     void operator()(const std::uint8_t* from, std::uint8_t* to) const
     {
       for (unsigned i = 0; i < 2; ++i)
@@ -119,30 +129,6 @@ struct Avx2Lanes
     }
 
   private:
-    template <class Value>
-    void packWords(const Value* from, Value* to) const
-    {
-      for (unsigned i = 0; i < 2; ++i)
-      {
-        const __m256i all =
-          _mm256_load_si256(reinterpret_cast<const __m256i*>(from + std::size_t{ 8 } * i));
-        _mm256_storeu_si256(
-          reinterpret_cast<__m256i*>(to), _mm256_permutevar8x32_epi32(all, words_[i]));
-        to += quarters_[0] + quarters_[1];
-      }
-    }
-    template <class Value>
-    void packDoubles(const Value* from, Value* to) const
-    {
-      for (unsigned i = 0; i < 4; ++i)
-      {
-        const __m256i all = _mm256_load_si256(reinterpret_cast<const __m256i*>(from + 4 * i));
-        _mm256_storeu_si256(
-          reinterpret_cast<__m256i*>(to), _mm256_permutevar8x32_epi32(all, doubles_[i]));
-        to += quarters_[i];
-      }
-    }
-
     __m128i bytes_[2];
     __m256i words_[2], doubles_[4];
     int quarters_[4]; ///< how many stay of four lanes

@@ -54,15 +54,7 @@ void FrontTally::findSlots(const WalkFront& front, std::size_t first, std::size_
   frontLoops().findSlots({ SceneRows(triangles_), front, first, end, perCell, perCell / 2,
     static_cast<std::uint32_t>(sums_.bands()), replicates.count(), replicates.firstWalk(),
     counts_.escaped(), slots_ });
-  if (sums_.rounds() > 1)
-  {
-    addRounds(front, first, end);
-  }
-}
-
-void FrontTally::addRounds(const WalkFront& front, std::size_t first, std::size_t end)
-{
-  for (std::size_t i = first; i < end; ++i)
+  for (std::size_t i = first; sums_.rounds() > 1 && i < end; ++i) // each has sums of its own
   {
     if (front.hit[i] != WalkFront::kNone)
     {
@@ -75,7 +67,7 @@ void FrontTally::addRounds(const WalkFront& front, std::size_t first, std::size_
 void FrontTally::changePhotons(const WalkFront& front, std::size_t first, std::size_t end, int sign)
 {
   const std::size_t count = end - first;
-  sign > 0 ? counts_.add(slots_, count) : counts_.remove(slots_, count);
+  counts_.add(slots_, count, sign);
   const auto escaped = static_cast<std::int64_t>(
     std::count(front.hit.data() + first, front.hit.data() + end, WalkFront::kNone));
   const Power received = sign * (static_cast<std::int64_t>(count) - escaped) * photon_;

@@ -114,15 +114,6 @@ public:
   }
   /// May be called by many threads at once.
   void add(const std::vector<Deposit>& deposits);
-  /// Of a photon on a cell with this slot, at once. For one thread alone.
-  void add(std::size_t slot, bool isFront, const Power& power)
-  {
-    std::int64_t* const sums = &sums_[isFront ? slot : backOf(slot)];
-    for (int band = 0; band < bands_; ++band)
-    {
-      sums[band] += power[band];
-    }
-  }
   /// Adds counts of photons of one power, one for each slot of the sums, and sets them to 0. May be
   /// called by many threads at once.
   void addCounts(std::int32_t* counts, std::int64_t quanta);

@@ -3,6 +3,7 @@
 
 #include "DirectLight/DimLights.h"
 #include "DirectLight/DirectPilot.h"
+#include "Repair/SceneChange.h"
 #include "Surfaces/MeanReflectance.h"
 
 #include <algorithm>
@@ -20,21 +21,22 @@ std::vector<Known> knownBy(const WalkSource& source, const FirstHits& hits, cons
 {
   const std::vector<Light>& lights = source.lights.lights();
   std::vector<Known> known(lights.size(), Known::Gathered);
-  std::array<double, 3> flux{};
+  std::array<double, 3> sums{}; // W
+  const auto flux = [&](Known part) -> double& { return sums[static_cast<std::size_t>(part)]; };
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
     known[i] = dim.contains(lights[i]) ? Known::Dim
       : hits.nearLights()[i]           ? Known::Shot
                                        : Known::Gathered;
-    flux[static_cast<std::size_t>(known[i])] += lights[i].totalFlux();
+    flux(known[i]) += lights[i].totalFlux();
   }
   // No part is to be worth less than a walk of each replicate.
   const double least =
     source.lights.flux() / source.plan.walksAfter(1) * source.plan.replicates().count();
-  const auto isWeak = [&](Known part) { return flux[static_cast<std::size_t>(part)] <= least; };
+  const auto isWeak = [&](Known part) { return flux(part) <= least; };
   const auto join = [&](Known part, Known other) {
     std::replace(known.begin(), known.end(), part, other);
-    flux[static_cast<std::size_t>(other)] += std::exchange(flux[static_cast<std::size_t>(part)], 0);
+    flux(other) += std::exchange(flux(part), 0);
   };
   for (const Known part : { Known::Dim, Known::Shot })
   {
@@ -43,7 +45,7 @@ std::vector<Known> knownBy(const WalkSource& source, const FirstHits& hits, cons
       join(part, Known::Gathered);
     }
   }
-  if (isWeak(Known::Gathered) && flux[static_cast<std::size_t>(Known::Gathered)] > 0)
+  if (isWeak(Known::Gathered) && flux(Known::Gathered) > 0)
   {
     isWeak(Known::Shot) ? join(Known::Dim, Known::Gathered) : join(Known::Gathered, Known::Shot);
   }
@@ -183,6 +185,45 @@ double LightSurvey::gatheringCost() const
     }
   }
   return flux > 0 ? sum / flux : hasLights ? 1 : 0;
+}
+
+bool FrameLights::areOf(const SceneObjects& objects, const WalkPlan& plan) const
+{
+  const auto haveMoved = [&] {
+    const std::vector<bool> moved = findMoved(objects, objects_);
+    return std::find(moved.begin(), moved.end(), true) != moved.end();
+  };
+  // A wall that a point light touches may move.
+  const auto isInAir = [](const WalkSource& source) {
+    return !source.lights.boundsInAir().isEmpty();
+  };
+  return !sources_.empty() && plan == plan_ && areLightsUnchanged(objects, objects_) &&
+    !(std::any_of(sources_.begin(), sources_.end(), isInAir) && haveMoved());
+}
+
+const std::vector<WalkSource>& FrameLights::sources(const SceneObjects& objects,
+  const WalkPlan& plan, ObjectSides& sides, const CancelPoint& cancelPoint)
+{
+  if (!areOf(objects, plan))
+  {
+    sources_.clear();
+    survey_.reset();
+    sources_ = sourcesOf(objects, plan, LightWalls(objects, sides, cancelPoint));
+    objects_ = objects;
+    plan_ = plan;
+  }
+  return sources_;
+}
+
+const LightSurvey& FrameLights::survey(const SceneObjects& objects, const WalkPlan& plan,
+  ObjectSides& sides, const CancelPoint& cancelPoint)
+{
+  const std::vector<WalkSource>& found = sources(objects, plan, sides, cancelPoint);
+  if (!survey_)
+  {
+    survey_.emplace(objects, found);
+  }
+  return *survey_;
 }
 
 }

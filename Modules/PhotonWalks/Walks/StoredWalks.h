@@ -28,15 +28,20 @@ public:
   const WalkSet& setOf(std::uint32_t walk) const { return readerOf(walk).set; }
   const WalkHistory& historyOf(std::uint32_t walk) const { return setOf(walk).history(); }
   /// What a walk does where it starts and at its hits.
-  const WalkSampler& sampler(std::uint32_t walk) const { return readerOf(walk).tracer.sampler(); }
+  const WalkStages& stages(std::uint32_t walk) const { return readerOf(walk).tracer.stages(); }
   /// See StoredRays; segments of any sets.
   void raysOf(const std::vector<SegmentRef>& segments, Ray* rays) const
   {
     StoredRays stored;
-    forEachSet(segments, [&](const Reader& reader, const std::vector<SegmentRef>& some) {
-      stored.find(reader.tracer, reader.set.history(), some, rays);
-      rays += some.size();
-    });
+    for (auto begin = segments.begin(); begin != segments.end();)
+    {
+      const Reader& reader = readerOf(begin->walk);
+      const auto end = std::find_if(begin, segments.end(),
+        [&](const SegmentRef& segment) { return &readerOf(segment.walk) != &reader; });
+      stored.find(reader.tracer, reader.set.history(), { begin, end }, rays);
+      rays += end - begin;
+      begin = end;
+    }
   }
 
 private:
@@ -61,20 +66,6 @@ private:
   {
     return *std::find_if(readers_.begin(), std::prev(readers_.end()),
       [walk](const Reader& reader) { return walk < reader.set.plan().endWalk(); });
-  }
-  /// Calls visit(reader, segments) for all segments in their order: those of one set together that
-  /// follow each other.
-  template <class Visit>
-  void forEachSet(const std::vector<SegmentRef>& segments, const Visit& visit) const
-  {
-    for (auto begin = segments.begin(); begin != segments.end();)
-    {
-      const Reader& reader = readerOf(begin->walk);
-      const auto end = std::find_if(begin, segments.end(),
-        [&](const SegmentRef& segment) { return &readerOf(segment.walk) != &reader; });
-      visit(reader, std::vector<SegmentRef>(begin, end));
-      begin = end;
-    }
   }
 
   std::deque<Reader> readers_;
