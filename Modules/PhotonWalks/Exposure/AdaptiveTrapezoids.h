@@ -3,7 +3,6 @@
 #define irradiance_AdaptiveTrapezoids_h
 
 #include "Exposure/IntegrationTimes.h"
-#include "Exposure/TimeHalving.h"
 
 #include <algorithm>
 #include <array>

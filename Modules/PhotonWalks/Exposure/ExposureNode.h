@@ -2,8 +2,8 @@
 #ifndef irradiance_ExposureNode_h
 #define irradiance_ExposureNode_h
 
+#include "Exposure/IntegrationTimes.h"
 #include "Exposure/ReplicateSums.h"
-#include "Exposure/TimeHalving.h"
 
 #include <array>
 #include <string>

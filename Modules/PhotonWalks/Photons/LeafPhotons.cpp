@@ -53,7 +53,7 @@ public:
     constexpr std::size_t kPerUnit = 4; // blocks
     for (std::size_t begin = first; begin < end; begin += kPerUnit)
     {
-      addUnit(false, [=, &history](List& list) {
+      const auto addPhotons = [=, &history](List& list) {
         for (std::size_t block = begin; block < std::min(begin + kPerUnit, end); ++block)
         {
           history.forEachPhoton(block, [&](const Photon& photon) {
@@ -63,7 +63,8 @@ public:
             }
           });
         }
-      });
+      };
+      units_.push_back({ false, addPhotons, {} });
     }
   }
 
@@ -73,7 +74,7 @@ public:
     constexpr std::size_t kPerUnit = 8192; // photons
     for (std::size_t begin = 0; begin < photons.size(); begin += kPerUnit)
     {
-      addUnit(areGone, [=, &photons](List& list) {
+      const auto addPhotons = [=, &photons](List& list) {
         list.reserve(kPerUnit);
         for (std::size_t i = begin; i < std::min(begin + kPerUnit, photons.size()); ++i)
         {
@@ -82,7 +83,8 @@ public:
             list.push_back(bound(photons[i]));
           }
         }
-      });
+      };
+      units_.push_back({ areGone, addPhotons, {} });
     }
   }
 
@@ -120,13 +122,6 @@ private:
     std::array<std::uint32_t, kParts + 1> begin{}; ///< of each part
   };
 
-  void addUnit(bool areGone, std::function<void(List&)> addPhotons)
-  {
-    units_.push_back({ areGone, std::move(addPhotons), {} });
-  }
-
-  std::size_t partOf(const Bound& bound) const { return bound.leaf * kParts / leaves_; }
-
   Bound bound(const Photon& photon) const
   {
     const Tree& tree = trees_[photon.id.object];
@@ -144,7 +139,7 @@ private:
     parts.reserve(list.size());
     for (const Bound& bound : list)
     {
-      parts.push_back(static_cast<std::uint16_t>(partOf(bound)));
+      parts.push_back(static_cast<std::uint16_t>(bound.leaf * kParts / leaves_));
       ++unit.begin[parts.back() + std::size_t{ 1 }];
     }
     std::partial_sum(unit.begin.begin(), unit.begin.end(), unit.begin.begin());
@@ -166,7 +161,7 @@ private:
     bool operator<(const Step& other) const { return leaf < other.leaf; }
   };
 
-  std::vector<Step> stepsOf(std::size_t part) const
+  void changePart(std::size_t part)
   {
     std::size_t size = 0;
     for (const Unit& unit : units_)
@@ -183,12 +178,6 @@ private:
       }
     }
     std::sort(steps.begin(), steps.end());
-    return steps;
-  }
-
-  void changePart(std::size_t part)
-  {
-    const std::vector<Step> steps = stepsOf(part);
     std::vector<LeafPhoton> gone, arrived;
     for (std::size_t i = 0; i < steps.size(); ++i)
     {

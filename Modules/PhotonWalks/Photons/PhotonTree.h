@@ -138,7 +138,49 @@ public:
   /// nearby first. squaredLimit() is that distance, squared, in the unit frame; it may shrink from
   /// one pack to the next. Rounding errors are up to the caller: 2^-22 of the squares.
   template <class Limit, class Visit>
-  void visitNear(const UnitPoint& point, const Limit& squaredLimit, const Visit& visit) const;
+  void visitNear(const UnitPoint& point, const Limit& squaredLimit, const Visit& visit) const
+  {
+    if (size_ == 0)
+    {
+      return;
+    }
+    struct Pending
+    {
+      std::size_t node;
+      std::array<float, 3> outside; ///< how far the point lies outside of the node's cell
+
+      float squaredDistance() const
+      {
+        return outside[0] * outside[0] + outside[1] * outside[1] + outside[2] * outside[2];
+      }
+    };
+    std::array<Pending, kDeepest + 1> pending;
+    std::size_t count = 0;
+    pending[count++] = { 0, {} };
+    while (count > 0)
+    {
+      Pending at = pending[--count];
+      if (at.squaredDistance() > squaredLimit())
+      {
+        continue;
+      }
+      while (!nodes_[at.node].isEnd())
+      {
+        const Node& node = nodes_[at.node];
+        const float beyond = point[node.axis()] - node.value;
+        const std::size_t isRight = beyond < 0 ? 0 : 1;
+        Pending& far = pending[count++] = at;
+        far.node = node.first() + 1 - isRight;
+        far.outside[node.axis()] = beyond;
+        at.node = node.first() + isRight;
+      }
+      const Node& end = nodes_[at.node];
+      for (std::size_t i = 0; i < end.packs(); ++i)
+      {
+        visit(packs_[end.first() + i]);
+      }
+    }
+  }
 
 private:
   static constexpr int kDeepest = 64; ///< planes in a row
@@ -189,52 +231,6 @@ private:
   std::vector<PhotonPack> packs_;
   std::size_t size_ = 0;
 };
-
-template <class Limit, class Visit>
-void PhotonTree::visitNear(
-  const UnitPoint& point, const Limit& squaredLimit, const Visit& visit) const
-{
-  if (size_ == 0)
-  {
-    return;
-  }
-  struct Pending
-  {
-    std::size_t node;
-    std::array<float, 3> outside; ///< how far the point lies outside of the node's cell
-
-    float squaredDistance() const
-    {
-      return outside[0] * outside[0] + outside[1] * outside[1] + outside[2] * outside[2];
-    }
-  };
-  std::array<Pending, kDeepest + 1> pending;
-  std::size_t count = 0;
-  pending[count++] = { 0, {} };
-  while (count > 0)
-  {
-    Pending at = pending[--count];
-    if (at.squaredDistance() > squaredLimit())
-    {
-      continue;
-    }
-    while (!nodes_[at.node].isEnd())
-    {
-      const Node& node = nodes_[at.node];
-      const float beyond = point[node.axis()] - node.value;
-      const std::size_t isRight = beyond < 0 ? 0 : 1;
-      Pending& far = pending[count++] = at;
-      far.node = node.first() + 1 - isRight;
-      far.outside[node.axis()] = beyond;
-      at.node = node.first() + isRight;
-    }
-    const Node& end = nodes_[at.node];
-    for (std::size_t i = 0; i < end.packs(); ++i)
-    {
-      visit(packs_[end.first() + i]);
-    }
-  }
-}
 
 }
 
