@@ -7,7 +7,6 @@
 #include "Execution/ProgressSpan.h"
 #include "Execution/Stopwatch.h"
 #include "FinalGather/PathLights.h"
-#include "Walks/DirectSources.h"
 
 #include <algorithm>
 #include <cassert>
