@@ -166,20 +166,13 @@ void packLoop(const WalkFront& from, WalkFront& to, bool hasGlossy, int bands)
 /// Rows of the table, side by side.
 struct RecordLanes
 {
-  enum Column
-  {
-    A = 0,
-    B = 3,
-    C = 6,
-    Normal = 9,
-    Clearance = 12,
-    Inset = 13,
-    Columns = 16
-  };
+  // Where they hold what.
+  static constexpr unsigned kA = 0, kB = 3, kC = 6, kNormal = 9, kClearance = 12, kInset = 13,
+                            kColumns = 16;
   /// Lanes::transpose takes that many rows.
   static constexpr unsigned kRows = 8;
 
-  alignas(64) double column[Columns][kGroup];
+  alignas(64) double column[kColumns][kGroup];
 
   template <class Lanes>
   __attribute__((always_inline)) void load(const SceneRows& rows, const std::uint32_t* numbers)
@@ -195,8 +188,8 @@ struct RecordLanes
     }
   }
 };
-static_assert(offsetof(SurfaceRecord, normal) == RecordLanes::Normal * sizeof(double));
-static_assert(offsetof(SurfaceRecord, inset) == RecordLanes::Inset * sizeof(double));
+static_assert(offsetof(SurfaceRecord, normal) == RecordLanes::kNormal * sizeof(double));
+static_assert(offsetof(SurfaceRecord, inset) == RecordLanes::kInset * sizeof(double));
 
 __attribute__((always_inline)) inline double mostOf(double a, double b)
 {
@@ -213,18 +206,18 @@ __attribute__((always_inline)) inline void placeOrigins(const RecordLanes& recor
   for (unsigned lane = 0; lane < kGroup; ++lane)
   {
     const double b = weightB[lane], g = weightC[lane], a = 1 - b - g;
-    const double keptA = mostOf(a, c[RecordLanes::Inset][lane]),
-                 keptB = mostOf(b, c[RecordLanes::Inset + 1][lane]),
-                 keptC = mostOf(g, c[RecordLanes::Inset + 2][lane]);
+    const double keptA = mostOf(a, c[RecordLanes::kInset][lane]),
+                 keptB = mostOf(b, c[RecordLanes::kInset + 1][lane]),
+                 keptC = mostOf(g, c[RecordLanes::kInset + 2][lane]);
     const double scale = 1 / (keptA + keptB + keptC);
     for (unsigned axis = 0; axis < 3; ++axis)
     {
-      const double turned = side[lane] * c[RecordLanes::Normal + axis][lane];
+      const double turned = side[lane] * c[RecordLanes::kNormal + axis][lane];
       const double position =
-        (keptA * c[RecordLanes::A + axis][lane] + keptB * c[RecordLanes::B + axis][lane] +
-          keptC * c[RecordLanes::C + axis][lane]) *
+        (keptA * c[RecordLanes::kA + axis][lane] + keptB * c[RecordLanes::kB + axis][lane] +
+          keptC * c[RecordLanes::kC + axis][lane]) *
         scale;
-      origin[axis][lane] = position + c[RecordLanes::Clearance][lane] * turned;
+      origin[axis][lane] = position + c[RecordLanes::kClearance][lane] * turned;
       normal[axis][lane] = static_cast<float>(turned);
     }
   }

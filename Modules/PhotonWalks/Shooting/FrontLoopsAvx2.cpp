@@ -7,6 +7,7 @@
 #include "Simd/SimdTarget.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstring>
 #include <immintrin.h>
@@ -17,26 +18,21 @@ namespace
 {
 
 /// For each mask of eight lanes those that it chooses, in order.
-struct ChosenLanes
-{
-  alignas(64) std::uint8_t lanes[256][8] = {};
-
-  constexpr ChosenLanes()
+alignas(64) constexpr auto kChosen = [] {
+  std::array<std::array<std::uint8_t, 8>, 256> chosen{};
+  for (unsigned mask = 0; mask < 256; ++mask)
   {
-    for (unsigned mask = 0; mask < 256; ++mask)
+    unsigned kept = 0;
+    for (unsigned lane = 0; lane < 8; ++lane)
     {
-      unsigned kept = 0;
-      for (unsigned lane = 0; lane < 8; ++lane)
+      if ((mask >> lane & 1u) != 0)
       {
-        if ((mask >> lane & 1u) != 0)
-        {
-          lanes[mask][kept++] = static_cast<std::uint8_t>(lane);
-        }
+        chosen[mask][kept++] = static_cast<std::uint8_t>(lane);
       }
     }
   }
-};
-constexpr ChosenLanes kChosen;
+  return chosen;
+}();
 
 }
 }
@@ -61,7 +57,7 @@ struct Avx2Lanes
   {
     for (unsigned row = 0; row < RecordLanes::kRows; row += 4)
     {
-      for (unsigned column = 0; column < RecordLanes::Columns; column += 4)
+      for (unsigned column = 0; column < RecordLanes::kColumns; column += 4)
       {
         double* const to = columns + std::size_t{ column } * kGroup + row;
         const __m256d a = _mm256_load_pd(rows[row] + column),
@@ -88,14 +84,14 @@ struct Avx2Lanes
       for (unsigned i = 0; i < 2; ++i)
       {
         const unsigned lanes = mask >> 8 * i & 0xffu;
-        bytes_[i] = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(kChosen.lanes[lanes]));
+        bytes_[i] = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(kChosen[lanes].data()));
         words_[i] = _mm256_cvtepu8_epi32(bytes_[i]);
       }
       for (unsigned i = 0; i < 4; ++i)
       {
         const unsigned lanes = mask >> 4 * i & 0xfu;
         const __m256i lane = _mm256_cvtepu8_epi64(
-          _mm_loadl_epi64(reinterpret_cast<const __m128i*>(kChosen.lanes[lanes])));
+          _mm_loadl_epi64(reinterpret_cast<const __m128i*>(kChosen[lanes].data())));
         // A double is two words: 2 lane and 2 lane + 1.
         doubles_[i] = _mm256_or_si256(_mm256_slli_epi64(lane, 1),
           _mm256_add_epi64(_mm256_slli_epi64(lane, 33), _mm256_set1_epi64x(0x100000000)));

@@ -31,7 +31,7 @@ struct Avx512Lanes
 
   static void transpose(const double* const* rows, double* columns)
   {
-    for (unsigned column = 0; column < RecordLanes::Columns; column += 8)
+    for (unsigned column = 0; column < RecordLanes::kColumns; column += 8)
     {
       transposeSquare(rows, column, columns + std::size_t{ column } * kGroup);
     }

@@ -28,7 +28,7 @@ struct PlainLanes
 
   static void transpose(const double* const* rows, double* columns)
   {
-    for (unsigned column = 0; column < RecordLanes::Columns; ++column)
+    for (unsigned column = 0; column < RecordLanes::kColumns; ++column)
     {
       for (unsigned row = 0; row < RecordLanes::kRows; ++row)
       {
