@@ -99,8 +99,8 @@ public:
   }
 
 private:
-  /// From the sensor to the closest point of a triangle, world. Seen from the sensor, as corners far
-  /// from the origin are rounded more.
+  /// From the sensor to the closest point of a triangle, world. Seen from the sensor, as corners
+  /// far from the origin are rounded more.
   Vector3 closestOn(const TriangleId& id) const
   {
     const SceneObject& object = objects_[id.object];

@@ -21,7 +21,7 @@ void copy(const std::vector<Number>& from, std::size_t first, std::size_t size,
   std::copy_n(from.data() + first, size, to.data() + firstThere);
 }
 
-/// Calls visit(first, end) for all numbers below `size`, piece by piece, so that no step takes long.
+/// Calls visit(first, end) for pieces of all numbers below `size`, so that no step takes long.
 template <class Visit>
 void forPieces(std::size_t size, const CancelPoint& cancelPoint, const Visit& visit)
 {
