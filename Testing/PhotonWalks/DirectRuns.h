@@ -5,7 +5,7 @@
 #include "EngineRun.h"
 #include "TestScenes.h"
 #include "ThreadExecution.h"
-#include "Walks/DirectSources.h"
+#include "Walks/LightSurvey.h"
 
 namespace irradiance::test
 {

@@ -24,8 +24,7 @@ public:
     , lights_(objects_, plan.most())
     , samples_(seed, plan.replicates())
     , triangles_(objects_)
-    , sampler_(objects_, lights_, samples_)
-    , stages_(sampler_, triangles_, lights_, samples_)
+    , stages_(objects_, triangles_, lights_, samples_)
   {
     scene_.setStatic(objects_.staticObject.body);
     scene_.setDynamic(objects_.dynamicBodies());
@@ -40,14 +39,13 @@ public:
   const LightTable& lights() const { return lights_; }
   const SobolSequence& samples() const { return samples_; }
   const SceneTriangles& triangles() const { return triangles_; }
-  const WalkSampler& sampler() const { return sampler_; }
   const WalkStages& stages() const { return stages_; }
   const Scene& scene() const { return scene_; }
 
   /// Makes room for these walks and numbers them.
   void enter(WalkFront& front, std::uint32_t first, std::uint32_t count) const
   {
-    front.reserve(count, sampler_.bands());
+    front.reserve(count, stages_.bands());
     front.size = count;
     std::iota(front.walk.data(), front.walk.data() + count, first);
     for (std::uint32_t i = 0; i < count; ++i)
@@ -125,7 +123,6 @@ private:
   LightTable lights_;
   SobolSequence samples_;
   SceneTriangles triangles_;
-  WalkSampler sampler_;
   WalkStages stages_;
   Scene scene_;
 };
@@ -138,7 +135,7 @@ public:
     : sums_(world.objects(), world.plan(), world.plan().rounds().size())
   {
     const std::uint32_t first = world.plan().rounds().front().firstWalk;
-    FrontTally tally(world.triangles(), sums_, balance_, world.sampler().powerPerWalk(),
+    FrontTally tally(world.triangles(), sums_, balance_, world.stages().powerPerWalk(),
       std::size_t{ 4 } * world.plan().most());
     world.shoot(first, world.plan().endWalk(), together, tally);
   }

@@ -25,9 +25,9 @@ inline std::vector<WalkSegment> shotWalk(
   CellSums sums(objects);
   PowerBalance balance;
   const WalkPlan plan;
-  const int bands = tracer.sampler().bands();
+  const int bands = tracer.stages().bands();
   WalkHistory history(plan, PointGrid(tracer.scene().bounds()), tracer.triangles().numbers(), bands,
-    tracer.sampler().powerPerWalk(), std::make_shared<BlockArena>(BounceBlock::pageBytes(bands)),
+    tracer.stages().powerPerWalk(), std::make_shared<BlockArena>(BounceBlock::pageBytes(bands)),
     DealtBlocks(plan.blockOf(walk), plan.blockOf(walk) + 1)); // begins with the walk's block
   history.append();
   WalkBatch batch;
@@ -36,7 +36,7 @@ inline std::vector<WalkSegment> shotWalk(
   batch.front().size = 1;
   batch.front().walk[0] = walk;
   batch.front().block[0] = 0;
-  FrontTally tally(tracer.triangles(), sums, balance, tracer.sampler().powerPerWalk(), 1);
+  FrontTally tally(tracer.triangles(), sums, balance, tracer.stages().powerPerWalk(), 1);
   batch.start(tally);
   batch.run(tally, [] { return false; });
   std::vector<WalkSegment> segments(history.size(walk));

@@ -17,7 +17,7 @@ WalkFront shotRows(const FrontWorld& world)
   CellSums sums(world.objects(), world.plan());
   PowerBalance balance;
   FrontTally tally(
-    world.triangles(), sums, balance, world.sampler().powerPerWalk(), world.plan().most());
+    world.triangles(), sums, balance, world.stages().powerPerWalk(), world.plan().most());
   world.shoot(world.plan().rounds().front().firstWalk, world.plan().endWalk(), 1000, tally,
     [&](const WalkFront& front) { rows.take(front, 0, front.size); });
   return rows;
@@ -107,7 +107,7 @@ TEST(FrontRays, FirstRaysAreFoundAgainForAnyListOfWalks)
   onAll([](const FrontWorld& world, const WalkFront& rows) {
     const std::vector<std::size_t> chosen = someRows(rows, true);
     WalkFront front;
-    front.reserve(chosen.size(), world.sampler().bands());
+    front.reserve(chosen.size(), world.stages().bands());
     front.size = chosen.size();
     std::size_t inAir = 0;
     for (std::size_t i = 0; i < front.size; ++i)

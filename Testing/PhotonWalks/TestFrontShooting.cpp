@@ -150,7 +150,7 @@ TEST(FrontShooting, AllLightEscapesFromNothing)
   const FrontRun run(world, kBlock);
   EXPECT_EQ(run.balance().segments, 1000);
   EXPECT_EQ(run.balance().emitted, run.balance().escaped);
-  EXPECT_EQ(run.balance().emitted, 1000 * world.sampler().powerPerWalk());
+  EXPECT_EQ(run.balance().emitted, 1000 * world.stages().powerPerWalk());
 }
 
 }

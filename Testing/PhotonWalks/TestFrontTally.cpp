@@ -44,11 +44,11 @@ public:
 
   FrontTally tallyFor(CellSums& sums, PowerBalance& balance, std::size_t expected) const
   {
-    return FrontTally(world_.triangles(), sums, balance, world_.sampler().powerPerWalk(), expected);
+    return FrontTally(world_.triangles(), sums, balance, world_.stages().powerPerWalk(), expected);
   }
   Power carriedBy(std::size_t row) const
   {
-    return all_.bands == 1 ? world_.sampler().powerPerWalk() : all_.powerAt(row, all_.bands);
+    return all_.bands == 1 ? world_.stages().powerPerWalk() : all_.powerAt(row, all_.bands);
   }
 
 private:

@@ -30,7 +30,7 @@ public:
   {
     return shotWalk(tracer_, objects_, walk);
   }
-  Power powerOf(std::uint32_t walk) const { return tracer_.sampler().powerOf(walk); }
+  Power powerOf(std::uint32_t walk) const { return tracer_.stages().powerOf(walk); }
   Hit cast(const WalkSegment& segment) const { return scene_.cast(segment.ray); }
   bool isMoved(const TracedFrame& before, const Hit& hit) const
   {

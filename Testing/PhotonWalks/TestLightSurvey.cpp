@@ -6,7 +6,6 @@
 
 #include "Sampling/SphericalTriangle.h"
 #include "TestScenes.h"
-#include "Walks/FrameLights.h"
 
 #include <gtest/gtest.h>
 

@@ -31,11 +31,10 @@ struct Starts
     : rays(walks)
   {
     const SobolSequence samples(seed);
-    const WalkSampler sampler(objects, table, samples);
     const SceneTriangles triangles(objects);
-    const WalkStages stages(sampler, triangles, table, samples);
+    const WalkStages stages(objects, triangles, table, samples);
     WalkFront front;
-    front.reserve(walks, sampler.bands());
+    front.reserve(walks, stages.bands());
     front.size = walks;
     std::iota(front.walk.data(), front.walk.data() + walks, 0u);
     stages.start(front);
@@ -44,7 +43,7 @@ struct Starts
       rays[walk] = { { front.originX[walk], front.originY[walk], front.originZ[walk] },
         { front.directionX[walk], front.directionY[walk], front.directionZ[walk] },
         triangles.idOf(front.start[walk]) };
-      powers.push_back(sampler.powerOf(walk));
+      powers.push_back(stages.powerOf(walk));
     }
   }
 

@@ -2,7 +2,7 @@
 #ifndef irradiance_CellValues_h
 #define irradiance_CellValues_h
 
-#include "Exposure/SharedValues.h"
+#include "Exposure/ReplicateSums.h"
 
 class vtkDataArray;
 

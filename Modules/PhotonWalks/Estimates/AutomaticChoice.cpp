@@ -4,7 +4,7 @@
 #include "FinalGather/CellRoles.h"
 #include "FinalGather/PathLights.h"
 #include "Geometry/Vector.h"
-#include "Walks/WalkSettings.h"
+#include "Walks/WalkSet.h"
 
 #include <algorithm>
 #include <vector>

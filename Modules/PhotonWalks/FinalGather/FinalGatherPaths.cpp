@@ -4,7 +4,7 @@
 #include "FinalGather/AreaPoints.h"
 #include "Sampling/DirectionSampling.h"
 #include "Sampling/SobolPoint.h"
-#include "Shooting/WalkSampler.h"
+#include "Shooting/WalkStages.h"
 
 #include <algorithm>
 #include <cmath>

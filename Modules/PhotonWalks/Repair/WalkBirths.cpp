@@ -91,7 +91,7 @@ bool WalkBirths::begin(Unit& unit, const std::vector<std::uint32_t>& walks, Time
   unit.open = state_.pool.take();
   unit.open->begin(state_.tracer, &state_.history);
   WalkFront& front = unit.open->front();
-  front.reserve(unit.begun, state_.tracer.sampler().bands());
+  front.reserve(unit.begun, state_.tracer.stages().bands());
   front.size = unit.begun;
   for (std::size_t i = 0; i < unit.begun; ++i)
   {
@@ -115,7 +115,7 @@ bool WalkBirths::run(Unit& unit, bool isNew, const Deadline& deadline)
     }
     isDone = unit.open->run(tally, [&] { return deadline.hasPassed(); });
   }
-  balance_.add(balance);
+  addLocked(balance, state_.balance, mutex_);
   return isDone;
 }
 

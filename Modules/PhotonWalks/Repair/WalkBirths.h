@@ -35,7 +35,6 @@ public:
 
   explicit WalkBirths(const State& state)
     : state_(state)
-    , balance_(state.balance)
   {
   }
 
@@ -65,7 +64,7 @@ private:
   bool run(Unit& unit, bool isNew, const Deadline& deadline);
 
   State state_;
-  SharedBalance balance_;
+  std::mutex mutex_; ///< of the balance
   std::atomic<bool> hasBegun_{ false };
   std::atomic<std::int64_t> segments_{ 0 };
 };

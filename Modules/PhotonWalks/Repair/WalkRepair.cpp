@@ -311,7 +311,7 @@ bool WalkRepair::shoot(RepairWork& work, const Deadline& deadline)
     }
     isDone = work.batch.run(tally, [&] { return deadline.hasPassed(); });
   }
-  balance_.add(balance);
+  addLocked(balance, state_.balance, mutex_);
   return isDone;
 }
 

@@ -64,7 +64,6 @@ public:
 
   explicit WalkRepair(const State& state)
     : state_(state)
-    , balance_(state.balance)
   {
   }
 
@@ -96,7 +95,6 @@ private:
   void finish(std::unique_ptr<RepairWork>& work);
 
   State state_;
-  SharedBalance balance_;
   std::atomic<bool> hasBegun_{ false };
   std::mutex mutex_;
   Figures figures_;

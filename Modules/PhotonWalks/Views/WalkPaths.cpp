@@ -86,7 +86,7 @@ bool WalkPaths::beginsOn(const SceneCell& cell, const WalkSet& set, std::uint32_
     const TriangleId id = engine_.frame().triangles.idOf(sample.triangle);
     return engine_.sums().cellOf(id) == cell || set.lights()[sample.light].cell == cell;
   }
-  return emits(cell) && walks_.sampler(walk).lightOf(walk).cell == cell;
+  return emits(cell) && walks_.stages(walk).lightOf(walk).cell == cell;
 }
 
 std::vector<std::uint32_t> WalkPaths::touching(
@@ -214,7 +214,7 @@ void WalkPaths::addStart(const Ray& first, WalkPath& path) const
   const WalkStarts* starts = startsOf(walks_.setOf(path.walk), path.walk);
   if (!starts)
   {
-    path.power = walks_.sampler(path.walk).powerOf(path.walk);
+    path.power = walks_.stages(path.walk).powerOf(path.walk);
     path.points.push_back(first.origin);
     return;
   }

@@ -4,7 +4,7 @@
 
 #include "IrradianceEngine.h"
 #include "Views/WalkPath.h"
-#include "Walks/StoredWalks.h"
+#include "Walks/WalkSets.h"
 
 #include <vector>
 

@@ -3,10 +3,14 @@
 
 #include "DirectLight/DimLights.h"
 #include "DirectLight/DirectPilot.h"
+#include "Repair/SceneChange.h"
 #include "Surfaces/MeanReflectance.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -20,21 +24,22 @@ std::vector<Known> knownBy(const WalkSource& source, const FirstHits& hits, cons
 {
   const std::vector<Light>& lights = source.lights.lights();
   std::vector<Known> known(lights.size(), Known::Gathered);
-  std::array<double, 3> flux{};
+  std::array<double, 3> sums{}; // W
+  const auto flux = [&](Known part) -> double& { return sums[static_cast<std::size_t>(part)]; };
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
     known[i] = dim.contains(lights[i]) ? Known::Dim
       : hits.nearLights()[i]           ? Known::Shot
                                        : Known::Gathered;
-    flux[static_cast<std::size_t>(known[i])] += lights[i].totalFlux();
+    flux(known[i]) += lights[i].totalFlux();
   }
   // No part is to be worth less than a walk of each replicate.
   const double least =
     source.lights.flux() / source.plan.walksAfter(1) * source.plan.replicates().count();
-  const auto isWeak = [&](Known part) { return flux[static_cast<std::size_t>(part)] <= least; };
+  const auto isWeak = [&](Known part) { return flux(part) <= least; };
   const auto join = [&](Known part, Known other) {
     std::replace(known.begin(), known.end(), part, other);
-    flux[static_cast<std::size_t>(other)] += std::exchange(flux[static_cast<std::size_t>(part)], 0);
+    flux(other) += std::exchange(flux(part), 0);
   };
   for (const Known part : { Known::Dim, Known::Shot })
   {
@@ -43,7 +48,7 @@ std::vector<Known> knownBy(const WalkSource& source, const FirstHits& hits, cons
       join(part, Known::Gathered);
     }
   }
-  if (isWeak(Known::Gathered) && flux[static_cast<std::size_t>(Known::Gathered)] > 0)
+  if (isWeak(Known::Gathered) && flux(Known::Gathered) > 0)
   {
     isWeak(Known::Shot) ? join(Known::Dim, Known::Gathered) : join(Known::Gathered, Known::Shot);
   }
@@ -183,6 +188,159 @@ double LightSurvey::gatheringCost() const
     }
   }
   return flux > 0 ? sum / flux : hasLights ? 1 : 0;
+}
+
+bool FrameLights::areOf(const SceneObjects& objects, const WalkPlan& plan) const
+{
+  const auto haveMoved = [&] {
+    const std::vector<bool> moved = findMoved(objects, objects_);
+    return std::find(moved.begin(), moved.end(), true) != moved.end();
+  };
+  // A wall that a point light touches may move.
+  const auto isInAir = [](const WalkSource& source) {
+    return !source.lights.boundsInAir().isEmpty();
+  };
+  return !sources_.empty() && plan == plan_ && areLightsUnchanged(objects, objects_) &&
+    !(std::any_of(sources_.begin(), sources_.end(), isInAir) && haveMoved());
+}
+
+const std::vector<WalkSource>& FrameLights::sources(const SceneObjects& objects,
+  const WalkPlan& plan, ObjectSides& sides, const CancelPoint& cancelPoint)
+{
+  if (!areOf(objects, plan))
+  {
+    sources_.clear();
+    survey_.reset();
+    sources_ = sourcesOf(objects, plan, LightWalls(objects, sides, cancelPoint));
+    objects_ = objects;
+    plan_ = plan;
+  }
+  return sources_;
+}
+
+const LightSurvey& FrameLights::survey(const SceneObjects& objects, const WalkPlan& plan,
+  ObjectSides& sides, const CancelPoint& cancelPoint)
+{
+  const std::vector<WalkSource>& found = sources(objects, plan, sides, cancelPoint);
+  if (!survey_)
+  {
+    survey_.emplace(objects, found);
+  }
+  return *survey_;
+}
+
+namespace
+{
+
+/// How many times as many walks those near lights shoot, beside which others start at cells: with
+/// as little power, as the noise of both is to cost alike.
+double timesAtLights(double reflected, const WalkPlan& plan)
+{
+  constexpr double kLeast = 0.25;
+  constexpr std::uint32_t kMost = std::uint32_t{ 1 } << 28; // walks have numbers of 32 bits
+  return plan.most() < kMost ? 1 / std::clamp(reflected, kLeast, 1.0) : 1;
+}
+
+/// Parts a source by how its lights are best known. `atLights`: see deal().
+std::vector<WalkSource> partsOf(const WalkSource& source, const LightSurvey::Group& group,
+  double atLights, const FewestSamples& fewestSamples)
+{
+  std::vector<WalkSource> parts;
+  for (const Known part : { Known::Dim, Known::Shot })
+  {
+    WalkSource some{ group.lightsOf(source, part), source.plan };
+    some.areFoundByRays = part == Known::Dim;
+    some.areNear = part == Known::Shot && !group.areHardToFind;
+    if (group.lamps && group.lamps->lights() == some.lights)
+    {
+      some.lamps = group.lamps;
+    }
+    if (!some.lights.isEmpty())
+    {
+      parts.push_back(std::move(some));
+    }
+  }
+  if (parts.empty() || group.isGathered())
+  {
+    WalkSource gathered{ group.lightsOf(source, Known::Gathered), source.plan, CellPart{} };
+    gathered.lamps = group.lamps;
+    gathered.density = { group.walksPerSample, fewestSamples.atVariance(group.variance) };
+    parts.push_back(std::move(gathered));
+  }
+  if (parts.size() > 1 || !parts.front().cells)
+  {
+    deal(parts, source.plan, atLights);
+  }
+  return parts;
+}
+
+}
+
+std::vector<WalkSource> directSourcesOf(const SceneObjects& objects,
+  const std::vector<WalkSource>& sources, const LightSurvey& survey,
+  const FewestSamples& fewestSamples)
+{
+  std::vector<WalkSource> gathered, all;
+  std::uint32_t end = 0; // of the numbers of walks that start at lights
+  const double reflected = meanReflectance(objects.staticObject);
+  const bool isAnyGathered = std::any_of(
+    survey.groups().begin(), survey.groups().end(), std::mem_fn(&LightSurvey::Group::isGathered));
+  for (std::size_t i = 0; i < sources.size(); ++i)
+  {
+    const double atLights = isAnyGathered ? timesAtLights(reflected, sources[i].plan) : 1;
+    for (WalkSource& part : partsOf(sources[i], survey.groups()[i], atLights, fewestSamples))
+    {
+      if (!part.cells)
+      {
+        const WalkPlan& plan = part.plan;
+        part.plan = WalkPlan(plan.walksAfter(1), plan.most(), plan.replicates().count(), end);
+        end = part.plan.endWalk();
+      }
+      (part.cells ? gathered : all).push_back(std::move(part));
+    }
+  }
+  // How many walks are born is not known yet: static cells have half of the numbers, the others
+  // share the rest evenly.
+  const std::vector<CellPart> parts = cellParts(objects);
+  const auto groups = static_cast<std::uint32_t>(std::max<std::size_t>(1, gathered.size()));
+  const auto others = static_cast<std::uint32_t>(parts.size() - 1);
+  const std::uint32_t share = (std::numeric_limits<std::uint32_t>::max() - end) / groups;
+  const std::uint32_t ofStatic = others > 0 ? share / 2 : share;
+  for (const WalkSource& source : gathered)
+  {
+    for (const CellPart& part : parts)
+    {
+      all.push_back(source);
+      all.back().cells = part;
+      all.back().quantaPerStart = std::max<std::int64_t>(1,
+        std::llround(LightSurvey::powerOfStart(reflected) *
+          static_cast<double>(source.lights.quantaPerWalk())));
+      all.back().density.fewest = part.isStatic() ? fewestSamples.asMany() : source.density.fewest;
+      all.back().firstWalk = end;
+      end += part.isStatic() ? ofStatic : (share - ofStatic) / std::max(1u, others);
+    }
+  }
+  return all;
+}
+
+void addLamps(std::vector<WalkSource>& sources)
+{
+  std::shared_ptr<const LampPieces> lamps;
+  for (WalkSource& source : sources)
+  {
+    if (source.areFoundByRays)
+    {
+      continue; // nothing asks them
+    }
+    if (!source.isDynamic())
+    {
+      auto own = source.lamps ? std::make_shared<LampPieces>(*source.lamps)
+                              : std::make_shared<LampPieces>(source.lights);
+      own->setQuantaPerWalk(source.lights.quantaPerWalk()); // walks were dealt since
+      lamps = std::move(own);
+    }
+    source.lamps = lamps;
+  }
 }
 
 }
