@@ -6,7 +6,6 @@
 #include "Geometry/Ray.h"
 #include "Geometry/TriangleIntersection.h"
 #include "Kernels/BodyBalls.h"
-#include "Kernels/EllipsoidLanes.h"
 #include "Meshes/SurfacePoint.h"
 #include "Scene/PlacedBody.h"
 #include "Scene/TriangleNumbers.h"
