@@ -7,7 +7,7 @@
 #include "Geometry/TriangleIntersection.h"
 #include "Kernels/BodyBalls.h"
 #include "Meshes/SurfacePoint.h"
-#include "Scene/PlacedBody.h"
+#include "Scene/RigidObject.h"
 #include "Scene/TriangleNumbers.h"
 
 #include <memory>
