@@ -23,8 +23,6 @@ __extension__ typedef __float128 Quad;
 using test::RandomVectors;
 using Points = std::vector<Vector3>;
 
-constexpr double kPi = 3.14159265358979323846;
-
 double volume(const EnclosingEllipsoid& e)
 {
   return 4.0 / 3.0 * kPi / std::abs(e.shape.determinant());

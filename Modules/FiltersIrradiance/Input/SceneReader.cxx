@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/SceneReader.h"
 
-#include "Geometry/MovedBox.h"
 #include "Input/GeometryOrigin.h"
 #include "Progress/InputError.h"
 

@@ -9,7 +9,6 @@
 #include <tuple>
 
 #include "Estimates/CellDiffusion.inl"
-#include "Geometry/Pi.h"
 
 namespace irradiance
 {

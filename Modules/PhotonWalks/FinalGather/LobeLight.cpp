@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FinalGather/LobeLight.h"
 
-#include "Geometry/Pi.h"
-
 #include <algorithm>
 
 namespace irradiance

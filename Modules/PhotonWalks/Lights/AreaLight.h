@@ -2,7 +2,6 @@
 #ifndef irradiance_AreaLight_h
 #define irradiance_AreaLight_h
 
-#include "Geometry/Pi.h"
 #include "Geometry/Ray.h"
 #include "Meshes/SurfacePoint.h"
 #include "Sampling/DirectionSampling.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Lights/PointLight.h"
 
-#include "Geometry/Pi.h"
 #include "Sampling/DirectionSampling.h"
 
 #include <algorithm>

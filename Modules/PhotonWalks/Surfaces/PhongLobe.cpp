@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/PhongLobe.h"
 
-#include "Geometry/Pi.h"
 #include "Sampling/DirectionSampling.h"
 #include "Sampling/PowUnit.h"
 #include "Surfaces/LobeLoss.h"

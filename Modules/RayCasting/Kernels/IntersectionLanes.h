@@ -76,12 +76,6 @@ struct IntersectionLanes
   }
 };
 
-/// Uses the best instructions of the machine. All give the same bits.
-void intersectAll(IntersectionLanes& lanes);
-void intersectAllPlain(IntersectionLanes& lanes);
-void intersectAllAvx2(IntersectionLanes& lanes);
-void intersectAllAvx512(IntersectionLanes& lanes);
-
 }
 
 #endif

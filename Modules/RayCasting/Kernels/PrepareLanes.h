@@ -2,7 +2,6 @@
 #ifndef irradiance_PrepareLanes_h
 #define irradiance_PrepareLanes_h
 
-#include "Kernels/PreparedQuery.h"
 #include "Kernels/TreeQuery.h"
 #include "Kernels/TreeRays.h"
 #include "Simd/Transpose4.h"

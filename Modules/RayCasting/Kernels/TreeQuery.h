@@ -7,6 +7,24 @@
 namespace irradiance
 {
 
+/// What differs from ray to ray of a TreeQuery, in rows of four that lanes are turned into.
+struct PreparedQuery
+{
+  float origin[3];
+  float limit; ///< nothing behind it matters; decreases as hits are found
+  float direction[3];
+  float pad;        ///< twice the error of the distances at which the ray passes planes
+  float inverse[3]; ///< of the direction
+  /// If the ray leaves a triangle that lies in a plane across an axis: a box is behind the ray
+  /// whose farthest bound on that axis, with its sign, is at most `behind`.
+  float behind;
+  float originInverse[3]; ///< their product
+  std::uint32_t skipped;  ///< the reference of the triangle that the ray leaves, or kNone
+  std::uint32_t ray;      ///< its place in the columns
+  int behindAxis;
+};
+static_assert(sizeof(PreparedQuery) == 72);
+
 /**
  * A search of one ray in one tree, as the kernels see it: in the tree's unit frame, starting where
  * the ray enters the tree's box, with a direction whose largest component is 1.
@@ -16,7 +34,7 @@ namespace irradiance
  * rounding: positions on the ray are off by less than kBlur. Documentation/Theory.md, section 3,
  * derives these constants.
  */
-struct TreeQuery
+struct TreeQuery : PreparedQuery
 {
   static constexpr double kBlur = 0x1p-20;
   /// The error of an edge function is below kEdgeBlur * L + kLeastBlur; L = |edge1|_1 + |edge2|_1.
@@ -31,24 +49,12 @@ struct TreeQuery
   static constexpr double kClearOfPlane = 0x1p-40;
 
   const TriangleTree* tree;
-  alignas(16) float origin[4];
-  alignas(16) float direction[4];
-  alignas(16) float inverse[4];       ///< of the direction
-  alignas(16) float originInverse[4]; ///< their product
-  float limit;                        ///< nothing behind it matters; decreases as hits are found
-  float pad;             ///< twice the error of the distances at which the ray passes planes
-  float edgeBlur;        ///< error of an edge function, per unit of edge length
-  float leastBlur;       ///< the part of that error that does not depend on the triangle
-  float slack;           ///< a hit's distance may be off by this when the ray grazes
-  float margin;          ///< from a hit to the limit behind it
-  std::uint32_t skipped; ///< the reference of the triangle that the ray leaves, or kNone
-  /// If the ray leaves a triangle that lies in a plane across an axis: a box is behind the ray
-  /// whose farthest bound on that axis, with this sign, is at most `behind`.
-  float behind;
+  float edgeBlur;   ///< error of an edge function, per unit of edge length
+  float leastBlur;  ///< the part of that error that does not depend on the triangle
+  float slack;      ///< a hit's distance may be off by this when the ray grazes
+  float margin;     ///< from a hit to the limit behind it
   float behindSign; ///< 0 or -0
-  int behindAxis;
   unsigned octant;
-  std::uint32_t ray; ///< its place in the columns
 
   /// Sets what all searches in a tree have in common.
   void setTree(const TriangleTree& searched)

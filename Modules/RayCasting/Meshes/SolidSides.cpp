@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Meshes/SolidSides.h"
 
-#include "Geometry/Pi.h"
 #include "Meshes/MeshEdges.h"
 #include "Meshes/RoomShells.h"
 #include "Meshes/ShellNesting.h"

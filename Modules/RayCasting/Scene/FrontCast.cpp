@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/FrontCast.h"
 
-#include "Kernels/IntersectionLanes.h"
 #include "Progress/StageTimes.h"
 
 #include <algorithm>
@@ -171,7 +170,7 @@ void FrontCast::castBody(
   StageClock clock;
   local_.need(TreeRays::roomFor(rays.count));
   const std::uint32_t count =
-    pickFront(inWorld(rays, 0), scene.placed_[index].filter, local_.ray.data());
+    frontStages().pick(inWorld(rays, 0), scene.placed_[index].filter, local_.ray.data());
   clock.ends(Stage::PreTest);
   castPicked(scene, index, triangles, rays, count);
 }
@@ -283,7 +282,7 @@ void FrontCast::findDistances(
   }
   if (statics > 0)
   {
-    confirmFront(inWorld(rays, statics), candidate_.data(), triangles.corners);
+    frontStages().confirm(inWorld(rays, statics), candidate_.data(), triangles.corners);
   }
   clock.ends(Stage::Confirm);
   runTests(scene, triangles, rays);
@@ -313,7 +312,7 @@ void FrontCast::runTests(const Scene& scene, const FrontTriangles& triangles, co
       const Scene::LocalRay local = scene.localRay(rayOf(rays, ray), id.object);
       lanes.set(lane, local.origin, local.direction, scene.localTriangle(id));
     }
-    intersectAll(lanes);
+    frontStages().intersect(lanes);
     for (unsigned lane = 0; lane < some; ++lane)
     {
       const auto& [ray, number] = tests_[first + lane];

@@ -18,14 +18,14 @@ void FrontDescent::run(
   candidate_.need(room);
   further_.need(std::size_t{ 2 } * room);
   PreparedQueries prepared{ queries_.data(), 0, others_.data(), 0 };
-  prepareFront(tree, rays, prepared);
+  frontStages().prepare(tree, rays, prepared);
   clock.ends(Stage::Prepare);
 
   std::fill_n(candidate_.data(), room, TreeRays::kNone);
   FrontSearches searches{ &tree, prepared.queries, prepared.count, candidate_.data(),
     further_.data(), 0, static_cast<std::uint32_t>(further_.room()), rows.first, rows.bytes,
     rows.read, tester };
-  searchFront(searches);
+  frontStages().search(searches);
   furtherCount_ = searches.furtherCount;
   for (std::uint32_t i = 0; i < prepared.otherCount; ++i)
   {

@@ -31,7 +31,7 @@ const std::vector<FrontPairs::Pair>& FrontPairs::find(const BodyBalls& balls, co
 {
   StageClock clock;
   near_.need(std::size_t{ TreeRays::roomFor(rays.count) } / NearRays::kLeastLanes * balls.size());
-  const std::uint32_t count = findNear(rays, balls, near_.data());
+  const std::uint32_t count = frontStages().findNear(rays, balls, near_.data());
   pairs_.clear();
   for (std::uint32_t i = 0; i < count; ++i)
   {

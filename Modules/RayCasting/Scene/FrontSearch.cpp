@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/FrontSearch.h"
 
-#include "Kernels/IntersectionLanes.h"
 #include "Progress/StageTimes.h"
 
 #include <algorithm>
@@ -23,7 +22,7 @@ void FrontSearch::run(const TriangleTree& tree, const TriangleMesh& mesh, const 
     { reinterpret_cast<const char*>(corners.first), corners.stride * sizeof(double), kCorners },
     *this);
   StageClock clock;
-  confirmFront(rays_, descent_.candidates(), corners);
+  frontStages().confirm(rays_, descent_.candidates(), corners);
   confirmFurther();
   clock.ends(Stage::Confirm);
 }
@@ -40,7 +39,7 @@ void FrontSearch::confirmFurther()
       const auto& [ray, reference] = descent_.further()[first + lane];
       lanes.set(lane, originOf(rays_, ray), directionOf(rays_, ray), (*mesh_)[reference]);
     }
-    intersectAll(lanes);
+    frontStages().intersect(lanes);
     for (unsigned lane = 0; lane < some; ++lane)
     {
       const auto& [ray, reference] = descent_.further()[first + lane];

@@ -6,9 +6,8 @@
 #include "Geometry/Ray.h"
 #include "Geometry/TriangleIntersection.h"
 #include "Kernels/BodyBalls.h"
-#include "Kernels/EllipsoidLanes.h"
 #include "Meshes/SurfacePoint.h"
-#include "Scene/PlacedBody.h"
+#include "Scene/RigidObject.h"
 #include "Scene/TriangleNumbers.h"
 
 #include <memory>

@@ -4,7 +4,7 @@
 
 #include "Meshes/SurfaceRecord.h"
 #include "Progress/CancelPoint.h"
-#include "Scene/PlacedBody.h"
+#include "Scene/RigidObject.h"
 #include "Scene/TriangleNumbers.h"
 #include "Simd/LargePages.h"
 
