@@ -4,7 +4,7 @@
 #include "Data/ArrayNames.h"
 #include "Data/LeafData.h"
 #include "Data/OldNames.h"
-#include "FinalGather/DarkShapes.h"
+#include "FinalGather/CellRoles.h"
 #include "Input/PointFacets.h"
 #include "Output/EmptyPiece.h"
 #include "Output/LightArrays.h"

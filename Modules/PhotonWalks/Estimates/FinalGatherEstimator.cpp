@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Estimates/FinalGatherEstimator.h"
 
-#include "FinalGather/DarkShapes.h"
 #include "FinalGather/NearLampLight.h"
 #include "FinalGather/PathLights.h"
 
@@ -25,11 +24,11 @@ void FinalGatherEstimator::update(const EstimateRounds& rounds, Execution& execu
   const CellShapes shapes = darkShapesOf(walks(), frame(), cancelPoint);
   const std::deque<PointDirectLight> lights =
     lightsOf(walks(), frame(), settings_.seed, kSamplesOfHit);
-  const FoundLamps foundLamps(walks(), frame().cells.numbers());
-  const UnevenCells unevenCells(shapes, *roles_, walks(), cancelPoint);
+  const std::vector<bool> found = foundLamps(walks(), frame().cells.numbers());
+  const std::vector<bool> uneven = unevenCells(shapes, *roles_, walks(), cancelPoint);
   FinalGatherScene scene{ frame(), shapes, *roles_,
     { all, settings_.isUnbiased ? nullptr : &direct, walks().staleSums(), rounds.walks }, lights,
-    foundLamps, unevenCells, static_cast<std::uint32_t>(rays().after(1)),
+    found, uneven, static_cast<std::uint32_t>(rays().after(1)),
     1 / walks().watts(1.0, rounds.walks), settings_.seed, keepsPaths() || settings_.mostRays > 0 };
   scene.tellsNoise = settings_.mostRays > 0;
   for (const WalkSet& set : walks().sets())

@@ -4,14 +4,12 @@
 
 #include "DirectLight/PointDirectLight.h"
 #include "FinalGather/CellRoles.h"
-#include "FinalGather/FoundLamps.h"
 #include "FinalGather/KnownLight.h"
-#include "FinalGather/UnevenCells.h"
-#include "Surfaces/CellShapes.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <deque>
+#include <vector>
 
 namespace irradiance
 {
@@ -30,8 +28,8 @@ struct FinalGatherScene
   CellRoles roles;
   KnownLight known;
   const std::deque<PointDirectLight>& lights; ///< what points on near cells ask
-  const FoundLamps& foundLamps;               ///< all else that shines
-  const UnevenCells& unevenCells;
+  const std::vector<bool>& foundLamps;        ///< all else that shines, see foundLamps()
+  const std::vector<bool>& unevenCells;       ///< see unevenCells()
   std::uint32_t rays;   ///< of a start, dealt to the replicates in blocks of equal size
   double quantaPerWatt; ///< of the light of all replicates
   std::uint64_t seed;
@@ -46,7 +44,7 @@ struct FinalGatherScene
   /// Whether what a cell received on average is read at any of its points.
   bool isRead(const SceneCell& cell) const
   {
-    return roles.isRead(cell) && !unevenCells.contains(frame.cells.numbers()[cell]);
+    return roles.isRead(cell) && (unevenCells.empty() || !unevenCells[frame.cells.numbers()[cell]]);
   }
   std::uint32_t replicates() const { return known.all.plan().replicates().count(); }
   std::uint32_t raysOfReplicate() const { return rays / replicates(); }

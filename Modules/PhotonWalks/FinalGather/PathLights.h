@@ -16,20 +16,7 @@ namespace irradiance
 /// Of a point that a path hits, see lightsOf(): the path is one of many.
 constexpr std::uint32_t kSamplesOfHit = 4;
 
-/// Calls visit(Light) for each light of each set of walks.
-template <class Visit>
-void forEachLight(const WalkSets& walks, const Visit& visit)
-{
-  for (const WalkSet& set : walks.sets())
-  {
-    for (const Light& light : set.lights().lights())
-    {
-      visit(light);
-    }
-  }
-}
-
-/// All lights but FoundLamps, whether walks start there or cells gather what they send, for points
+/// All lights but those of foundLamps(), whether walks start there or cells gather what they send, for points
 /// that ask them by themselves. The arguments must outlive what is returned. `samples`: of each
 /// point, for each group of lights.
 std::deque<PointDirectLight> lightsOf(const WalkSets& walks, const Frame& frame, std::uint64_t seed,

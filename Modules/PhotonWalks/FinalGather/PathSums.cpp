@@ -59,7 +59,8 @@ void PathSums::add(const FinalGatherScene& scene, const FollowedPaths::Path& pat
     }
     if (segment.isFront &&
       (segment.isSpecular ||
-        (!scene.foundLamps.isEmpty() && scene.foundLamps.contains(cellOf(scene, segment)))))
+        (!scene.foundLamps.empty() &&
+          scene.foundLamps[scene.frame.cells.numbers()[cellOf(scene, segment)]])))
     {
       addEmitted(scene, segment, weight, asked.lampWeight, sum);
     }

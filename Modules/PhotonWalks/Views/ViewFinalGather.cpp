@@ -19,10 +19,10 @@ ViewFinalGather::ViewFinalGather(const IrradianceEngine& engine, const CellShape
   : engine_(engine)
   , lights_(lightsOf(engine.walks(), engine.frame(), engine.settings().seed,
       asksOnLobes ? kSamplesOnLobe : kSamplesOfHit))
-  , foundLamps_(engine.walks(), engine.cells().numbers())
+  , foundLamps_(foundLamps(engine.walks(), engine.cells().numbers()))
   , roles_(engine.cells(), engine.numberOfWalks(), engine.hasLights() ? rays : 0)
-  , unevenCells_(CellShapes(engine.frame(), 0, 1, cancelPointOf(execution, 0)), roles_,
-      engine.walks(), cancelPointOf(execution, 0))
+  , unevenCells_(unevenCells(CellShapes(engine.frame(), 0, 1, cancelPointOf(execution, 0)), roles_,
+      engine.walks(), cancelPointOf(execution, 0)))
   , scene_{ engine.frame(), shapes, roles_,
     { engine.sums(), nullptr, nullptr, engine.sums().rounds() }, lights_, foundLamps_, unevenCells_,
     dealtRays(rays, engine.walks().plan().replicates().count()),

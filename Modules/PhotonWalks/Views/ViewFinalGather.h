@@ -56,9 +56,9 @@ public:
 private:
   const IrradianceEngine& engine_;
   std::deque<PointDirectLight> lights_;
-  FoundLamps foundLamps_;
+  std::vector<bool> foundLamps_;
   CellRoles roles_;
-  UnevenCells unevenCells_;
+  std::vector<bool> unevenCells_;
   FinalGatherScene scene_;
   mutable Pool<FinalGatherPaths> paths_; ///< what threads work with
 };
