@@ -26,10 +26,10 @@ void FinalGatherEstimator::update(const EstimateRounds& rounds, Execution& execu
     lightsOf(walks(), frame(), settings_.seed, kSamplesOfHit);
   const std::vector<bool> found = foundLamps(walks(), frame().cells.numbers());
   const std::vector<bool> uneven = unevenCells(shapes, *roles_, walks(), cancelPoint);
-  FinalGatherScene scene{ frame(), shapes, *roles_,
-    { all, settings_.isUnbiased ? nullptr : &direct, walks().staleSums(), rounds.walks }, lights,
-    found, uneven, static_cast<std::uint32_t>(rays().after(1)),
-    1 / walks().watts(1.0, rounds.walks), settings_.seed, keepsPaths() || settings_.mostRays > 0 };
+  FinalGatherScene scene{ frame(), shapes, *roles_, all, settings_.isUnbiased ? nullptr : &direct,
+    walks().staleSums(), rounds.walks, lights, found, uneven,
+    static_cast<std::uint32_t>(rays().after(1)), 1 / walks().watts(1.0, rounds.walks),
+    settings_.seed, keepsPaths() || settings_.mostRays > 0 };
   scene.tellsNoise = settings_.mostRays > 0;
   for (const WalkSet& set : walks().sets())
   {
@@ -45,26 +45,25 @@ void FinalGatherEstimator::update(const EstimateRounds& rounds, Execution& execu
 void FinalGatherEstimator::putTogether(
   const FinalGatherScene& scene, const CellSums& direct, const CancelPoint& cancelPoint)
 {
-  const KnownLight& known = scene.known;
-  const std::uint32_t count = walks().plan().walksAfter(known.rounds);
-  const std::uint32_t replicates = known.all.plan().replicates().count();
+  const std::uint32_t count = walks().plan().walksAfter(scene.knownRounds);
+  const std::uint32_t replicates = scene.replicates();
   sums_ = CellSums::ofGathered(scene.frame.objects, WalkPlan(count, count, replicates));
-  staleSums_ = CellSums::ofGathered(scene.frame.objects, {}, known.stale ? 1 : 0);
+  staleSums_ = CellSums::ofGathered(scene.frame.objects, {}, scene.knownStale ? 1 : 0);
   ThrottledCancelPoint pace(cancelPoint);
-  known.all.numbers().forEach([&](const SceneCell& cell) {
+  scene.known.numbers().forEach([&](const SceneCell& cell) {
     const bool gathers = roles_->gathers(cell);
-    const CellSums& own = gathers ? direct : known.all;
+    const CellSums& own = gathers ? direct : scene.known;
     forEachSide(cell, true, [&](const CellSide& side) {
       for (std::uint32_t i = 0; i < replicates; ++i)
       {
-        Bands sum = own.sums(side, i, known.rounds);
+        Bands sum = own.sums(side, i, scene.knownRounds);
         sum += gathers ? gather_.indirect().sums(side, i, 1) : Bands{};
         sums_.setGathered(side, i, sum);
       }
-      if (known.stale)
+      if (scene.knownStale)
       {
         staleSums_.setGathered(
-          side, 0, (gathers ? gather_.stale() : *known.stale).sums(side, 0, 1));
+          side, 0, (gathers ? gather_.stale() : *scene.knownStale).sums(side, 0, 1));
       }
     });
     pace.step();

@@ -4,9 +4,10 @@
 
 #include "Execution/Execution.h"
 #include "Execution/Pool.h"
+#include "FinalGather/FinalGatherMotion.h"
 #include "FinalGather/FinalGatherPaths.h"
 #include "FinalGather/PathSums.h"
-#include "FinalGather/PathsOrigin.h"
+#include "Sampling/DealtBlocks.h"
 
 #include <atomic>
 #include <cstdint>
@@ -49,12 +50,6 @@ public:
   std::int64_t segments() const { return segments_; }
 
 private:
-  struct Gatherer
-  {
-    SceneCell cell;
-    std::size_t shape;
-  };
-
   struct Side
   {
     std::size_t gatherer;
@@ -76,19 +71,6 @@ private:
   };
   using Rounds = std::vector<FinalGatherScene>; ///< the scene, with the rays of each round
 
-  /// What paths depend on besides poses.
-  struct Origin
-  {
-    PathsOrigin paths;
-    std::size_t rank, ranks; ///< which follows them
-    std::vector<SceneCell> gatherers;
-  };
-
-  void findGatherers(const FinalGatherScene& scene);
-  Origin originOf(const FinalGatherScene& scene, const Ranks& ranks) const;
-  /// What moved since; nothing if no path can be kept.
-  std::optional<FinalGatherMotion> motionTo(
-    const FinalGatherScene& scene, const Origin& origin) const;
   std::vector<Side> sidesOf(const FinalGatherScene& scene, std::size_t unit) const;
   /// Of a unit: follows all `rounds`, and reads the first so many.
   void gather(
@@ -109,10 +91,11 @@ private:
   void storeNoise(const FinalGatherScene& scene, const std::vector<PathSums>& brought,
     std::size_t start, const Side& side);
 
-  std::vector<Gatherer> gatherers_;
+  std::vector<SceneCell> gatherers_;
   std::vector<Unit> units_;
+  DealtBlocks dealt_; ///< the units of this rank
   std::size_t keptRounds_ = 0;
-  std::optional<Origin> origin_;                        ///< of the paths that are kept
+  std::optional<PathsOrigin> origin_;                   ///< of the paths that are kept
   Pool<FinalGatherPaths> paths_;                        ///< what threads work with
   std::atomic<std::int64_t> followed_{ 0 }, read_{ 0 }; ///< of this rank: paths, segments
   std::int64_t segments_ = 0;

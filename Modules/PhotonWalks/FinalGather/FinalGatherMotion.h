@@ -7,10 +7,24 @@
 #include "FinalGather/FollowedPaths.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace irradiance
 {
+
+/// What the paths of a final gather depend on besides poses.
+struct PathsOrigin
+{
+  /// Of paths from single points, or from cells that gather.
+  explicit PathsOrigin(const FinalGatherScene& scene, const std::vector<SceneCell>& starts = {});
+
+  SceneObjects objects;
+  std::uint64_t seed;
+  std::uint32_t rays, replicates;
+  std::vector<SceneCell> startCells, readCells;
+  std::vector<std::vector<Light>> lights; ///< in the groups that are asked
+};
 
 /// What moved since paths were followed, and which of their segments it may change.
 class FinalGatherMotion
@@ -19,6 +33,9 @@ public:
   /// `moved`: of the dynamic objects of the frame, those with another pose, or other points, than
   /// when the paths were followed.
   FinalGatherMotion(const FinalGatherScene& scene, const std::vector<bool>& moved);
+  /// Nothing if another thing changed, so that no path can be kept. `now`: of the scene.
+  static std::optional<FinalGatherMotion> since(
+    const PathsOrigin& before, const FinalGatherScene& scene, const PathsOrigin& now);
 
   bool isNone() const { return !isAny_; }
   bool hasMoved(std::uint32_t object) const { return object > 0 && moved_[object - 1]; }

@@ -75,7 +75,7 @@ double reflectedPart(const Bands& weight, const double* reflectances, int bands)
 
 void FinalGatherPaths::begin(const FinalGatherScene& scene)
 {
-  bands_ = scene.known.all.bands();
+  bands_ = scene.known.bands();
   bounce_ = 0;
   numberOfPaths_ = 0;
   paths_.clear();
@@ -258,7 +258,7 @@ FinalGatherPaths::Arrival FinalGatherPaths::arrivalOf(
              isRead = isLarge && scene.isRead(arrival.side);
   const bool isNear = hit.distance * hit.distance < arrival.area;
   arrival.isKnown = isRead && !isNear;
-  arrival.isUnknown = isLarge ? isNear || !isRead : !scene.known.direct;
+  arrival.isUnknown = isLarge ? isNear || !isRead : !scene.knownDirect;
   return arrival;
 }
 

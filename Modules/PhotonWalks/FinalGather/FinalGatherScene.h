@@ -4,7 +4,7 @@
 
 #include "DirectLight/PointDirectLight.h"
 #include "FinalGather/CellRoles.h"
-#include "FinalGather/KnownLight.h"
+#include "Tally/CellSums.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -26,7 +26,12 @@ struct FinalGatherScene
   const Frame& frame;
   const CellShapes& shapes;
   CellRoles roles;
-  KnownLight known;
+  // What cells are known to receive before, by side: one light would leak to the other where bodies
+  // stick into each other.
+  const CellSums& known;       ///< of cells that are read
+  const CellSums* knownDirect; ///< direct light of all other cells; null: they know none
+  const CellSums* knownStale;  ///< of `known`, what rests on stale walks, in one replicate; or null
+  std::size_t knownRounds;     ///< of `known` and `knownDirect` that count
   const std::deque<PointDirectLight>& lights; ///< what points on near cells ask
   const std::vector<bool>& foundLamps;        ///< all else that shines, see foundLamps()
   const std::vector<bool>& unevenCells;       ///< see unevenCells()
@@ -46,7 +51,7 @@ struct FinalGatherScene
   {
     return roles.isRead(cell) && (unevenCells.empty() || !unevenCells[frame.cells.numbers()[cell]]);
   }
-  std::uint32_t replicates() const { return known.all.plan().replicates().count(); }
+  std::uint32_t replicates() const { return known.plan().replicates().count(); }
   std::uint32_t raysOfReplicate() const { return rays / replicates(); }
   /// The number of the first ray of a side with so many starts: all rounds before have as many rays
   /// as this one.

@@ -5,7 +5,6 @@
 #include "FinalGather/FinalGatherScene.h"
 #include "FinalGather/FollowedPaths.h"
 
-#include <algorithm>
 #include <vector>
 
 namespace irradiance
@@ -41,55 +40,9 @@ public:
   const Bands& stale(std::size_t start) const { return stale_[start]; }
 
 private:
-  /// Where a path hit something.
-  struct Asked
-  {
-    const double* brought = nullptr; ///< by the lights, W/m2 by band, if they were asked there
-    double lampWeight = 1;           ///< of a lamp that was hit, as it may have been asked as well
-  };
-  /// Calls visit(segment, weight, Asked) for all that hit something.
-  template <class Visit>
-  static void forEachHit(
-    const FinalGatherScene& scene, const FollowedPaths::Path& path, const Visit& visit);
-  static void add(const FinalGatherScene& scene, const FollowedPaths::Path& path,
-    std::uint32_t replicate, Bands& sum, Bands& stale);
-  static void addKnown(const FinalGatherScene& scene, const PathSegment& segment,
-    const Bands& weight, std::uint32_t replicate, Bands& sum, Bands& stale);
-  static void addEmitted(const FinalGatherScene& scene, const PathSegment& segment,
-    const Bands& weight, double lampWeight, Bands& sum);
-
   std::uint32_t replicates_ = 1;
   std::vector<Bands> sums_, differences_, stale_;
 };
-
-template <class Visit>
-void PathSums::forEachHit(
-  const FinalGatherScene& scene, const FollowedPaths::Path& path, const Visit& visit)
-{
-  const int bands = scene.known.all.bands();
-  const double* value = path.values;
-  Bands weight{ 1.0 / scene.raysOfReplicate() };
-  for (const PathSegment* segment = path.begin;
-       segment != path.end && segment->triangle != PathSegment::kNone; ++segment)
-  {
-    if (bands > 1)
-    {
-      std::copy_n(value, bands, weight.begin());
-      value += bands;
-    }
-    Asked asked;
-    if (segment->asksLights)
-    {
-      asked.brought = value;
-      value += bands;
-    }
-    if (segment->hasLampWeight)
-    {
-      asked.lampWeight = *value++;
-    }
-    visit(*segment, weight, asked);
-  }
-}
 
 }
 

@@ -45,10 +45,10 @@ void StoredSensors::gather(const IrradianceEngine& engine, const std::vector<boo
   constexpr double kPrepared = 0.25; // of the progress, roughly, if sides are to be counted
   ProgressSpan preparing(execution, 0, kPrepared), gathering(execution, kPrepared, 1);
   const SensorFinalGather gather(engine, rays, preparing, keepsRays);
-  PathsOrigin origin = pathsOriginOf(gather.scene());
+  PathsOrigin origin(gather.scene());
   const std::optional<PathsOrigin> before = std::exchange(origin_, std::nullopt);
   const std::optional<FinalGatherMotion> motion =
-    before ? motionSince(gather.scene(), origin, *before) : std::nullopt;
+    before ? FinalGatherMotion::since(*before, gather.scene(), origin) : std::nullopt;
   const std::size_t together = startsTogether(gather.scene());
   const std::size_t units = (sensors_.size() + together - 1) / together;
   if (!motion)

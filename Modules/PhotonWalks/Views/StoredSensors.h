@@ -2,7 +2,6 @@
 #ifndef irradiance_StoredSensors_h
 #define irradiance_StoredSensors_h
 
-#include "FinalGather/PathsOrigin.h"
 #include "Views/SensorFinalGather.h"
 
 #include <atomic>

@@ -23,9 +23,8 @@ ViewFinalGather::ViewFinalGather(const IrradianceEngine& engine, const CellShape
   , roles_(engine.cells(), engine.numberOfWalks(), engine.hasLights() ? rays : 0)
   , unevenCells_(unevenCells(CellShapes(engine.frame(), 0, 1, cancelPointOf(execution, 0)), roles_,
       engine.walks(), cancelPointOf(execution, 0)))
-  , scene_{ engine.frame(), shapes, roles_,
-    { engine.sums(), nullptr, nullptr, engine.sums().rounds() }, lights_, foundLamps_, unevenCells_,
-    dealtRays(rays, engine.walks().plan().replicates().count()),
+  , scene_{ engine.frame(), shapes, roles_, engine.sums(), nullptr, nullptr, engine.sums().rounds(),
+    lights_, foundLamps_, unevenCells_, dealtRays(rays, engine.walks().plan().replicates().count()),
     engine.hasLights() ? 1 / engine.watts(1.0) : 0.0, // else a quantum is no power at all
     engine.settings().seed, keepsPaths }
 {
