@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Estimates/FinalGatherEstimator.h"
 
-#include "FinalGather/NearLampLight.h"
 #include "FinalGather/PathLights.h"
 
 #include <algorithm>
@@ -9,6 +8,44 @@
 
 namespace irradiance
 {
+
+namespace
+{
+
+/// As in a room, see DirectPlan.
+constexpr double kWalksPerSample = 36;
+
+/// Adds the direct light of lights from which walks start, near lamps see FirstHits, to the cells
+/// that gather: their walks bring it together with the indirect light, which these cells do not
+/// take from walks. They gather it as they do that of all other lights. `rounds`: of the walks that
+/// divide the flux of the lights. `sums`: adds to their first round; all ranks add the same.
+void addNearLampLight(const FinalGatherScene& scene, const WalkSet& set, std::size_t rounds,
+  CellSums& sums, Execution& execution)
+{
+  const CancelPoint cancelPoint = cancelPointOf(execution, 0);
+  const LightTable& lights = set.lights();
+  const std::uint32_t walks = set.source().plan.walksAfter(rounds);
+  const std::uint32_t replicates = sums.plan().replicates().count();
+  const double quantaPerWatt = static_cast<double>(lights.quantaPerWalk()) * walks / lights.flux();
+  const std::shared_ptr<const LampPieces> known = set.source().knownLamps();
+  const LampPieces& lamps = *known;
+  CellShapes shapes = scene.shapes;
+  scene.frame.cells.numbers().forEach([&](const SceneCell& cell) {
+    if (!scene.roles.gathers(cell)) // counts as dark: it takes no samples
+    {
+      shapes.setDark(scene.frame.cells.numbers()[cell], true, true);
+    }
+  });
+  const DirectPlan plan(shapes, lamps,
+    { walks, { kWalksPerSample, { scene.rays, scene.rays, 2 * scene.rays } }, replicates },
+    cancelPoint);
+  DirectLight light(
+    shapes, lamps, plan, splitMix(scene.seed + set.source().firstWalk), quantaPerWatt);
+  light.gather(scene.frame, execution);
+  light.addTo(sums, 0, 1, {}, cancelPoint);
+}
+
+}
 
 void FinalGatherEstimator::update(const EstimateRounds& rounds, Execution& execution)
 {

@@ -198,30 +198,21 @@ void FinalGatherPaths::sortSteps()
     ++ends[step.path + 1];
   }
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  std::vector<std::uint32_t> next(ends.begin(), ends.end() - 1);
+  std::vector<std::uint32_t> places(ends.begin(), ends.end() - 1);
   for (std::uint32_t i = 0; i < steps_.size(); ++i)
   {
-    order[next[steps_[i].path]++] = i;
+    order[places[steps_[i].path]++] = i;
   }
   followed_.clear();
   followed_.reserve(numberOfPaths_, steps_.size(), values_.size());
+  steps_.push_back({ numberOfPaths_, {}, values_.size(), shadows_.size() }); // where the last ends
   for (std::uint32_t path = 0; path < numberOfPaths_; ++path)
   {
     for (std::uint32_t i = ends[path]; i < ends[path + 1]; ++i)
     {
-      const std::uint32_t step = order[i];
-      followed_.addSegment(steps_[step].segment);
-      const bool isLast = step + 1 == steps_.size();
-      const std::size_t end = isLast ? values_.size() : steps_[step + 1].value;
-      for (std::size_t value = steps_[step].value; value < end; ++value)
-      {
-        followed_.addValue(values_[value]);
-      }
-      const std::size_t endOfShadows = isLast ? shadows_.size() : steps_[step + 1].shadow;
-      for (std::size_t shadow = steps_[step].shadow; shadow < endOfShadows; ++shadow)
-      {
-        followed_.addShadow(shadows_[shadow]);
-      }
+      const Step &step = steps_[order[i]], &next = steps_[order[i] + 1];
+      followed_.addSegment(step.segment, values_.data() + step.value, values_.data() + next.value,
+        shadows_.data() + step.shadow, shadows_.data() + next.shadow);
     }
     followed_.endPath();
   }

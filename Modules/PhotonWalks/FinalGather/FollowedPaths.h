@@ -58,15 +58,16 @@ public:
   }
   void clear();
   void reserve(std::size_t paths, std::size_t segments, std::size_t values);
-  /// To the path that endPath() ends.
-  void addSegment(const PathSegment& segment) { segments_.push_back(segment); }
-  /// With several bands the weights of each segment; what the lights brought where they were asked;
-  /// the weight of a lamp.
-  void addValue(double value) { values_.push_back(value); }
-  void addShadow(const ShadowRay& ray) { shadows_.push_back(ray); }
+  /// To the path that endPath() ends. `values`: with several bands the weights of the segment; what
+  /// the lights brought where they were asked; the weight of a lamp. `shadows`: of these lights.
+  void addSegment(const PathSegment& segment, const double* values, const double* endOfValues,
+    const ShadowRay* shadows, const ShadowRay* endOfShadows)
+  {
+    segments_.push_back(segment);
+    values_.insert(values_.end(), values, endOfValues);
+    shadows_.insert(shadows_.end(), shadows, endOfShadows);
+  }
   void endPath() { ends_.push_back({ segments_.size(), values_.size(), shadows_.size() }); }
-  /// Adds paths [first, end) of others.
-  void addPaths(const FollowedPaths& from, std::size_t first, std::size_t end);
   /// These, in order, and among them some that were followed before: for each of all, its place
   /// there, or kAnew.
   static constexpr std::size_t kAnew = std::numeric_limits<std::size_t>::max();
@@ -76,6 +77,8 @@ public:
   std::size_t bytes() const;
 
 private:
+  /// Adds paths [first, end) of others.
+  void addPaths(const FollowedPaths& from, std::size_t first, std::size_t end);
   struct End
   {
     std::size_t segment, value, shadow;
