@@ -11,7 +11,6 @@
 #include "Pipeline/FilterRun.h"
 #include "Pipeline/PhotonSource.h"
 #include "Pipeline/WalkMemory.h"
-#include "Views/SensorPlace.h"
 #include "Views/StoredSensors.h"
 
 #include "vtkCellData.h"

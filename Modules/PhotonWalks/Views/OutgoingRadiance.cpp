@@ -2,11 +2,9 @@
 #include "Views/OutgoingRadiance.h"
 
 #include "Geometry/Pi.h"
-#include "Views/ReplicateParts.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace irradiance
 {

@@ -2,6 +2,9 @@
 #include "Views/ViewFinalGather.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace irradiance
 {
@@ -42,6 +45,19 @@ std::vector<Bands> ViewFinalGather::replicatesOf(
       [&](double quantaPerArea) { return engine_.watts(factor * quantaPerArea); });
   }
   return replicates;
+}
+
+double standardErrorOf(const std::vector<double>& parts)
+{
+  const auto count = static_cast<double>(parts.size());
+  const double sum = std::accumulate(parts.begin(), parts.end(), 0.0);
+  double squares = 0;
+  for (const double part : parts)
+  {
+    squares += (count * part - sum) * (count * part - sum);
+  }
+  return count > 1 && sum > 0 ? std::sqrt(squares / (count * (count - 1)))
+                              : std::numeric_limits<double>::quiet_NaN();
 }
 
 }

@@ -63,6 +63,10 @@ private:
   mutable Pool<FinalGatherPaths> paths_; ///< what threads work with
 };
 
+/// The standard error of a sum of which each replicate has its part, from their scatter: NaN with a
+/// single replicate, or if none has anything.
+double standardErrorOf(const std::vector<double>& parts);
+
 }
 
 #endif
