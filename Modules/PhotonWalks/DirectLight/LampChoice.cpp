@@ -13,23 +13,10 @@ namespace irradiance
 namespace
 {
 
-/// The part of a cell that has normals in all directions.
-double curvedOf(const CellShape& cell)
-{
-  return 1 - std::min(1.0, cell.normal.norm());
-}
-
-/// What is asked of a node: what it brings on average, or what it may bring where it is nearest,
-/// which no weight should miss.
-enum class Asked
-{
-  Mean,
-  Most
-};
-
-/// W that a node of lamps would bring to a cell.
+/// W that a node of lamps would bring to a cell: on average, or else where it is nearest, which no
+/// weight should miss.
 double powerBetween(
-  const LampTree::Node& node, const CellShape& cell, double curved, Asked asked = Asked::Most)
+  const LampTree::Node& node, const CellShape& cell, double curved, bool isMean = false)
 {
   const LampPiece& lamp = node.lamp;
   const Vector3 between = cell.center - lamp.center;
@@ -52,7 +39,6 @@ double powerBetween(
   const double facing = cell.isBackDark ? -arriving
     : cell.isFrontDark                  ? arriving
                                         : std::abs(arriving);
-  const bool isMean = asked == Asked::Mean;
   double emitted = lamp.cone.leaving(leaving, isMean ? 0 : std::min(1.0, reach));
   double received = std::clamp(
     curved + (isMean ? positivePart(facing - reach, facing + reach) : facing + reach), 0.0, 1.0);
@@ -100,7 +86,7 @@ LampChoice::Group LampChoice::groupOf(std::uint32_t number) const
 void LampChoice::setCell(const CellShape& cell)
 {
   cell_ = cell;
-  curved_ = curvedOf(cell);
+  curved_ = 1 - std::min(1.0, cell.normal.norm());
   groups_.clear();
   if (tree_.nodes().size() < 2 * most_)
   {
@@ -132,7 +118,7 @@ double LampChoice::expectedPower(const CellShape& cell)
   setCell(cell);
   return std::accumulate(
     groups_.begin(), groups_.end(), 0.0, [this](double sum, const Group& group) {
-      return sum + powerBetween(tree_.nodes()[group.node], cell_, curved_, Asked::Mean);
+      return sum + powerBetween(tree_.nodes()[group.node], cell_, curved_, true);
     });
 }
 

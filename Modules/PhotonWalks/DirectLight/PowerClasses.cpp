@@ -2,14 +2,13 @@
 #include "DirectLight/PowerClasses.h"
 
 #include "DirectLight/FirstHits.h"
-#include "Geometry/Vector.h"
-#include "Sampling/SplitMix.h"
 
 #include <algorithm>
-#include <functional>
+#include <array>
+#include <map>
 #include <numeric>
 #include <optional>
-#include <unordered_map>
+#include <tuple>
 
 namespace irradiance
 {
@@ -43,43 +42,18 @@ private:
   std::vector<std::size_t> next_;
 };
 
-/// A corner of a light, by its object.
-struct Corner
-{
-  std::uint32_t object;
-  Vector3 place;
-
-  friend bool operator==(const Corner& a, const Corner& b)
-  {
-    return a.object == b.object && a.place == b.place;
-  }
-};
-
-struct CornerHash
-{
-  std::size_t operator()(const Corner& corner) const
-  {
-    const std::hash<double> hash;
-    std::size_t value = corner.object;
-    for (const double x : { corner.place[0], corner.place[1], corner.place[2] })
-    {
-      value = splitMix(value ^ hash(x));
-    }
-    return value;
-  }
-};
-
 Lamps lampsOf(const std::vector<Light>& lights)
 {
   Lamps lamps(lights.size());
-  std::unordered_map<Corner, std::size_t, CornerHash> corners;
+  std::map<std::tuple<std::uint32_t, double, double, double>, std::size_t> corners; // by object
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
     if (const Triangle* const surface = lights[i].surface())
     {
       for (const Vector3& place : { surface->a, surface->b, surface->c })
       {
-        lamps.join(i, corners.emplace(Corner{ lights[i].cell.object, place }, i).first->second);
+        const std::tuple corner(lights[i].cell.object, place[0], place[1], place[2]);
+        lamps.join(i, corners.emplace(corner, i).first->second);
       }
     }
   }
