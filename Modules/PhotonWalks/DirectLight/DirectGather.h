@@ -2,13 +2,29 @@
 #ifndef irradiance_DirectGather_h
 #define irradiance_DirectGather_h
 
-#include "DirectLight/CellPart.h"
 #include "DirectLight/WalkStarts.h"
 #include "Sampling/DealtBlocks.h"
 #include "Tally/PowerBalance.h"
 
 namespace irradiance
 {
+
+/// Objects [first, end) whose cells gather together: the static one alone, or some of the dynamic
+/// ones. When one of them moves, all of them gather anew.
+struct CellPart
+{
+  std::uint32_t first = 0, end = 1;
+
+  bool isStatic() const { return first == 0; }
+  friend bool operator==(const CellPart& a, const CellPart& b)
+  {
+    return a.first == b.first && a.end == b.end;
+  }
+};
+
+/// The static part, and those that have all dynamic objects. There are more of these the fewer
+/// cells there are, as each has sums for all cells.
+std::vector<CellPart> cellParts(const SceneObjects& objects);
 
 /**
  * The direct light of the cells of one part of the scene, from the lights of one group, and the
@@ -24,13 +40,14 @@ public:
   struct Settings
   {
     CellPart part;
-    std::uint32_t walks; ///< among which the flux of the lights is divided
     std::uint32_t replicates;
+    std::uint32_t firstWalk;    ///< the number of the first walk that may be born
     std::int64_t quantaPerWalk; ///< with which a walk starts, in all bands together
     DirectPlan::Density density;
-    std::uint32_t firstWalk; ///< the number of the first walk that may be born
     std::uint64_t seed;
-    std::size_t round; ///< of the sums to which it adds
+    // DirectRounds sets these for each round.
+    std::uint32_t walks = 0; ///< among which the flux of the lights is divided
+    std::size_t round = 0;   ///< of the sums to which it adds
   };
 
   /// Gathers. The arguments must outlive it.

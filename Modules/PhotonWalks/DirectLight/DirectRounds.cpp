@@ -9,10 +9,11 @@ namespace irradiance
 void DirectRounds::append(
   const Frame& frame, const LampPieces& lamps, std::uint32_t walks, Execution& execution)
 {
-  const std::size_t round = rounds_.size();
-  const std::uint64_t seed = round == 0 ? settings_.seed : splitMix(settings_.seed + round);
-  const DirectGather::Settings its{ settings_.part, walks, plan_.replicates().count(),
-    settings_.quantaPerWalk, settings_.density, plan_.endWalk(), seed, round };
+  DirectGather::Settings its = settings_;
+  its.walks = walks;
+  its.round = rounds_.size();
+  its.firstWalk = plan_.endWalk();
+  its.seed = its.round == 0 ? settings_.seed : splitMix(settings_.seed + its.round);
   rounds_.push_back(std::make_unique<DirectGather>(frame, lamps, its, execution));
   plan_.addRound(rounds_.back()->starts().size());
 }

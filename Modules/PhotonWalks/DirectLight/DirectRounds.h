@@ -15,14 +15,6 @@ namespace irradiance
 class DirectRounds
 {
 public:
-  struct Settings
-  {
-    CellPart part;
-    Replicates replicates;      ///< of the walks that may be born, with the number of the first
-    std::int64_t quantaPerWalk; ///< of each of these, in all bands together
-    DirectPlan::Density density;
-    std::uint64_t seed;
-  };
   /// In which all is counted. Must outlive the call.
   struct Totals
   {
@@ -31,9 +23,9 @@ public:
     const DealtBlocks& dealt; ///< what this rank adds, see DirectGather
   };
 
-  explicit DirectRounds(const Settings& settings)
+  explicit DirectRounds(const DirectGather::Settings& settings)
     : settings_(settings)
-    , plan_(settings.replicates)
+    , plan_(Replicates(settings.replicates, settings.firstWalk))
   {
   }
 
@@ -67,7 +59,7 @@ public:
   }
 
 private:
-  Settings settings_;
+  DirectGather::Settings settings_; ///< of the first round
   WalkPlan plan_;
   std::vector<std::unique_ptr<DirectGather>> rounds_;
 };

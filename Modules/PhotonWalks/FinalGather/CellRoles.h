@@ -71,7 +71,7 @@ std::vector<bool> unevenCells(const CellShapes& shapes, const CellRoles& roles,
   const WalkSets& walks, const CancelPoint& cancelPoint);
 
 /// By number, the cells whose emission rays count where they meet it, as nobody looks for it (see
-/// DimLights); empty: none.
+/// FirstHits::dimLights()); empty: none.
 std::vector<bool> foundLamps(const WalkSets& walks, const CellNumbers& cells);
 
 /// The shapes of all cells of a frame. Marked are sides to which no light can come at all, neither

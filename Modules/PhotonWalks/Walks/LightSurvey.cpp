@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Walks/LightSurvey.h"
 
-#include "DirectLight/DimLights.h"
 #include "DirectLight/DirectPilot.h"
+#include "DirectLight/FirstHits.h"
 #include "Surfaces/MeanReflectance.h"
 
 #include <algorithm>
@@ -16,16 +16,15 @@ namespace irradiance
 namespace
 {
 
-std::vector<Known> knownBy(const WalkSource& source, const FirstHits& hits, const DimLights& dim)
+std::vector<Known> knownBy(
+  const WalkSource& source, const FirstHits& hits, const std::vector<bool>& areDim)
 {
   const std::vector<Light>& lights = source.lights.lights();
   std::vector<Known> known(lights.size(), Known::Gathered);
   std::array<double, 3> flux{};
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
-    known[i] = dim.contains(lights[i]) ? Known::Dim
-      : hits.nearLights()[i]           ? Known::Shot
-                                       : Known::Gathered;
+    known[i] = areDim[i] ? Known::Dim : hits.nearLights()[i] ? Known::Shot : Known::Gathered;
     flux[static_cast<std::size_t>(known[i])] += lights[i].totalFlux();
   }
   // No part is to be worth less than a walk of each replicate.
@@ -50,11 +49,11 @@ std::vector<Known> knownBy(const WalkSource& source, const FirstHits& hits, cons
   return known;
 }
 
-LightSurvey::Group groupOf(const SceneObjects& objects, const WalkSource& source,
-  const FirstHits& hits, const DimLights& dim, double reflected)
+LightSurvey::Group groupOf(
+  const SceneObjects& objects, const WalkSource& source, const FirstHits& hits, double reflected)
 {
   LightSurvey::Group group;
-  group.known = knownBy(source, hits, dim);
+  group.known = knownBy(source, hits, hits.dimLights(objects, source.lights, reflected));
   const LightTable gathered = group.lightsOf(source, Known::Gathered);
   if (gathered.isEmpty())
   {
@@ -63,8 +62,8 @@ LightSurvey::Group groupOf(const SceneObjects& objects, const WalkSource& source
   group.lamps = std::make_shared<const LampPieces>(gathered);
   const DirectPilot pilot(objects, *group.lamps);
   group.variance = pilot.variance();
-  const DirectPilot::Sampling sampling = pilot.best({ hits.arrived() / source.lights.flux(),
-    hits.returned(), LightSurvey::powerOfStart(reflected) });
+  const DirectPilot::Sampling sampling = pilot.best(
+    hits.arrived() / source.lights.flux(), hits.returned(), LightSurvey::powerOfStart(reflected));
   group.cost = sampling.cost;
   group.areHardToFind = sampling.cost >= 1;
   group.walksPerSample = sampling.walksPerSample;
@@ -139,8 +138,7 @@ LightSurvey::LightSurvey(const SceneObjects& objects, const std::vector<WalkSour
   }
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
-    const DimLights dim(objects, hits[i], reflected);
-    groups_.push_back(groupOf(objects, sources[i], hits[i], dim, reflected));
+    groups_.push_back(groupOf(objects, sources[i], hits[i], reflected));
   }
   unevenness_ = unevennessOf(sources, hits, groups_);
 }

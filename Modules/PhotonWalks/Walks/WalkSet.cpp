@@ -48,9 +48,9 @@ void WalkSet::start(const Frame& frame, Execution& execution)
   areCellsRenumbered_ = false;
   if (source_.cells && !lights().isEmpty())
   {
-    gathered_ = std::make_unique<DirectRounds>(DirectRounds::Settings{ *source_.cells,
-      Replicates(source_.plan.replicates().count(), source_.firstWalk), source_.quantaPerStart,
-      source_.density, settings_.seed });
+    gathered_ = std::make_unique<DirectRounds>(
+      DirectGather::Settings{ *source_.cells, source_.plan.replicates().count(), source_.firstWalk,
+        source_.quantaPerStart, source_.density, settings_.seed });
     gatherers = { source_.cells->first, source_.cells->end };
   }
   sums_ = CellSums(frame.objects, plan(), 0, gatherers);

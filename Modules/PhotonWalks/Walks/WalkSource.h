@@ -20,7 +20,7 @@ struct WalkSource
   WalkPlan plan; ///< of the walks that divide the flux of the lights
   /// The cells where direct light is gathered and walks start; none: they start at the lights.
   std::optional<CellPart> cells;
-  bool areFoundByRays = false; ///< the lights: rays of a final gather meet them, see DimLights
+  bool areFoundByRays = false; ///< the lights: rays of a final gather meet them, see FirstHits
   bool areNear = false;        ///< the lights, to what they shine on, see FirstHits
   std::uint32_t firstWalk = 0; ///< the number of the first of these walks
   /// With which a walk starts at cells, in all bands together.
