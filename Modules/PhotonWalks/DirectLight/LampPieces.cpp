@@ -2,8 +2,11 @@
 #include "DirectLight/LampPieces.h"
 
 #include "Lights/LitPoint.h"
+#include "Sampling/WeightChoice.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace irradiance
@@ -12,10 +15,139 @@ namespace irradiance
 namespace
 {
 
+/// How much is uncertain about what a node brings: its flux, its size and the solid angle into
+/// which it shines.
+double spreadOf(const LampTree::Node& node)
+{
+  return node.lamp.flux * node.lamp.radius * node.lamp.radius * node.lamp.cone.solidAngle();
+}
+
 /// Edges are not cut that are shorter than this part of the diagonal of all lamps: what is near the
 /// one end is near the other.
 constexpr double kShort = 0.02;
 
+}
+
+LampTree::LampTree(const std::vector<LampPiece>& pieces)
+  : order_(pieces.size())
+{
+  std::iota(order_.begin(), order_.end(), 0u);
+  if (!pieces.empty())
+  {
+    nodes_.push_back(nodeOf(0, static_cast<std::uint32_t>(pieces.size()), pieces));
+  }
+  for (std::uint32_t number = 0; number < nodes_.size(); ++number)
+  {
+    split(number, pieces);
+  }
+  places_.resize(pieces.size());
+  for (std::uint32_t place = 0; place < order_.size(); ++place)
+  {
+    places_[order_[place]] = place;
+  }
+}
+
+LampTree::Node LampTree::nodeOf(
+  std::uint32_t first, std::uint32_t end, const std::vector<LampPiece>& pieces) const
+{
+  Node node;
+  node.first = first;
+  node.end = end;
+  if (end - first == 1)
+  {
+    node.lamp = pieces[order_[first]];
+    return node;
+  }
+  Box bounds;
+  Vector3 normals = Vector3::Zero();
+  bool areFlat = true;
+  node.lamp.share = 0;
+  node.lamp.flux = 0;
+  for (std::uint32_t place = first; place < end; ++place)
+  {
+    const LampPiece& piece = pieces[order_[place]];
+    bounds.add(piece.bounds());
+    node.lamp.flux += piece.flux;
+    normals += piece.flux * piece.normal;
+    areFlat = areFlat && piece.cone.isFlat();
+  }
+  node.lamp.center = bounds.center();
+  node.lamp.radius = bounds.extent().norm() / 2;
+  if (areFlat && !normals.isZero(1e-9 * node.lamp.flux))
+  {
+    node.lamp.normal = normals.normalized();
+    double cosine = 1;
+    for (std::uint32_t place = first; place < end; ++place)
+    {
+      const LampPiece& piece = pieces[order_[place]];
+      cosine = std::min(cosine, node.lamp.normal.dot(piece.normal));
+      node.depth = std::max(node.depth, node.lamp.normal.dot(node.lamp.center - piece.center));
+    }
+    constexpr double kFlat = 1 - 1e-12;
+    cosine = cosine >= kFlat ? 1 : std::max(cosine, -1.0);
+    node.lamp.cone = { cosine, std::sqrt(1 - cosine * cosine) };
+  }
+  return node;
+}
+
+/// At the median along the longest edge of the bounds, or where normals differ most: as leaves less
+/// spread.
+void LampTree::split(std::uint32_t number, const std::vector<LampPiece>& pieces)
+{
+  const std::uint32_t first = nodes_[number].first, end = nodes_[number].end;
+  if (end - first == 1)
+  {
+    return;
+  }
+  Box centers, normals;
+  for (std::uint32_t place = first; place < end; ++place)
+  {
+    centers.add(pieces[order_[place]].center);
+    normals.add(pieces[order_[place]].normal);
+  }
+  const std::uint32_t middle = first + (end - first) / 2;
+  const auto at = [&](std::uint32_t place) { return order_.begin() + place; };
+  const auto halve = [&](const Vector3 LampPiece::*value, const Box& box) {
+    Eigen::Index axis = 0;
+    box.extent().maxCoeff(&axis);
+    std::nth_element(at(first), at(middle), at(end), [&](std::uint32_t a, std::uint32_t b) {
+      const double left = (pieces[a].*value)[axis], right = (pieces[b].*value)[axis];
+      return left < right || (left == right && a < b);
+    });
+    return std::pair(nodeOf(first, middle, pieces), nodeOf(middle, end, pieces));
+  };
+  const auto spreadOfBoth = [](const std::pair<Node, Node>& halves) {
+    return spreadOf(halves.first) + spreadOf(halves.second);
+  };
+  std::pair<Node, Node> halves = halve(&LampPiece::center, centers);
+  if (normals.extent().maxCoeff() > 0)
+  {
+    const std::vector<std::uint32_t> byPlace(at(first), at(end));
+    std::pair<Node, Node> byNormal = halve(&LampPiece::normal, normals);
+    if (spreadOfBoth(byNormal) < spreadOfBoth(halves))
+    {
+      halves = std::move(byNormal);
+    }
+    else
+    {
+      std::copy(byPlace.begin(), byPlace.end(), at(first));
+    }
+  }
+  nodes_[number].children = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.push_back(std::move(halves.first));
+  nodes_.push_back(std::move(halves.second));
+}
+
+LampTree::Choice LampTree::choose(const Node& node, double part) const
+{
+  const Node* below = &node;
+  while (!below->isLeaf())
+  {
+    const Node* halves = &nodes_[below->children];
+    const double first = halves->lamp.flux / below->lamp.flux;
+    below = choosesFirst(first, part) ? halves : halves + 1;
+  }
+  return { order_[below->first], below->lamp.flux / node.lamp.flux, part };
 }
 
 LampPieces::LampPieces(LightTable lights)

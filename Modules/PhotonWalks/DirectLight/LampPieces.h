@@ -2,15 +2,62 @@
 #ifndef irradiance_LampPieces_h
 #define irradiance_LampPieces_h
 
-#include "DirectLight/LampTree.h"
+#include "Lights/LampPiece.h"
 #include "Lights/LightTable.h"
 #include "Surfaces/Contacts.h"
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace irradiance
 {
+
+/**
+ * A binary tree over the pieces of lamps. A node stands for all pieces below it, which follow each
+ * other in an order of the tree; seen from afar it is one lamp with a cone of normals. So a cell
+ * looks at few nodes, however many lamps there are.
+ */
+class LampTree
+{
+public:
+  struct Node
+  {
+    LampPiece lamp;   ///< the piece of a leaf; else what stands for all below, of the share 0
+    double depth = 0; ///< m, of places of the lamp behind its center, along its normal
+    std::uint32_t first = 0, end = 0; ///< of its pieces, by the order of the tree
+    std::uint32_t children = 0;       ///< the number of the first of two; 0 for a leaf
+
+    bool isLeaf() const { return children == 0; }
+  };
+
+  LampTree() = default;
+  explicit LampTree(const std::vector<LampPiece>& pieces);
+
+  /// At least one node, the root, if there are pieces.
+  const std::vector<Node>& nodes() const { return nodes_; }
+  /// W, of all pieces.
+  double flux() const { return nodes_.empty() ? 0 : nodes_.front().lamp.flux; }
+  /// Of a piece in the order of the tree.
+  std::uint32_t placeOf(std::uint32_t piece) const { return places_[piece]; }
+
+  struct Choice
+  {
+    std::uint32_t piece;
+    double probability;
+    double rest; ///< in [0, 1): what the choice left of the part
+  };
+  /// The piece on which a part, in [0, 1), of the flux of a node falls.
+  Choice choose(const Node& node, double part) const;
+
+private:
+  void split(std::uint32_t number, const std::vector<LampPiece>& pieces);
+  /// Of the pieces [first, end) of the order.
+  Node nodeOf(std::uint32_t first, std::uint32_t end, const std::vector<LampPiece>& pieces) const;
+
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> order_, places_; ///< pieces; the place of each
+};
 
 /**
  * The lights of a table as cells look for them. Long triangles are cut: of a strip along a wall a
