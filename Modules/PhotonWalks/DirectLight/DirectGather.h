@@ -63,7 +63,6 @@ public:
     return cells_.bytes() + plan_.numberOfCells() * sizeof(std::uint32_t) + light_.bytes() +
       starts_.bytes();
   }
-  double quantaPerWatt() const { return quantaPerWatt_; }
   const WalkStarts& starts() const { return starts_; }
   /// Of all that the cells gather, quanta squared: see DirectLight::variance().
   double variance(int band) const

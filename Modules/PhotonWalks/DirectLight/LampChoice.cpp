@@ -64,7 +64,6 @@ double powerBetween(
 LampChoice::LampChoice(const LampPieces& lamps, std::size_t most)
   : lamps_(lamps)
   , tree_(lamps.tree())
-  , centers_(lamps.centers())
   , most_(most)
 {
 }
@@ -133,7 +132,8 @@ double LampChoice::powerFromWithin(double distance) const
 
 double LampChoice::distance(const CellShape& cell) const
 {
-  return (cell.center - cell.center.cwiseMax(centers_.lower).cwiseMin(centers_.upper)).norm();
+  const Box& centers = lamps_.centers();
+  return (cell.center - cell.center.cwiseMax(centers.lower).cwiseMin(centers.upper)).norm();
 }
 
 double LampChoice::mostPower(const CellShape& cell) const

@@ -69,7 +69,6 @@ private:
 
   const LampPieces& lamps_;
   const LampTree& tree_;
-  Box centers_; ///< of the lamps
   std::size_t most_;
   CellShape cell_;
   double curved_ = 0;              ///< the part of the cell that has normals in all directions

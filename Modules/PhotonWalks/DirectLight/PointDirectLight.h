@@ -3,15 +3,36 @@
 #define irradiance_PointDirectLight_h
 
 #include "DirectLight/LampChoice.h"
-#include "DirectLight/ShadowRay.h"
 #include "Lights/SeenLight.h"
 
+#include <array>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <vector>
 
 namespace irradiance
 {
+
+inline std::array<float, 3> inFloats(const Vector3& v)
+{
+  return { static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()) };
+}
+
+/// A ray from a light to a point, as it was cast: what tells whether a motion may change what it
+/// found.
+struct ShadowRay
+{
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+  std::array<float, 3> from;
+  std::array<float, 3> to; ///< what stops it, or else the point
+  std::uint32_t triangle;  ///< the number of what stops it, or kNone
+  bool isStopped : 1;      ///< its light does not arrive
+  bool
+    touchesMover : 1; ///< where it starts, ends or is stopped, what it meets depends on what can move
+};
 
 /**
  * The light that comes straight from the lights of a table to single points, on surfaces or in the

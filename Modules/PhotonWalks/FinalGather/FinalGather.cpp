@@ -140,12 +140,11 @@ void FinalGather::gather(
       follow(rounds[round], round < kept ? motion : nullptr, unit.sides, unit.rounds[round]);
     }
   }
-  std::vector<PathSums> brought(read);
+  std::vector<PathSums> brought;
   for (std::size_t round = 0; round < read; ++round)
   {
-    const FollowedPaths& paths = unit.rounds[round];
-    brought[round].read(rounds[round], paths, paths.size() / rounds[round].rays);
-    read_ += static_cast<std::int64_t>(paths.numberOfSegments());
+    brought.emplace_back(rounds[round], unit.rounds[round]);
+    read_ += static_cast<std::int64_t>(unit.rounds[round].numberOfSegments());
   }
   std::size_t start = 0;
   for (const Side& side : unit.sides)

@@ -2,7 +2,6 @@
 #ifndef irradiance_FinalGatherMotion_h
 #define irradiance_FinalGatherMotion_h
 
-#include "DirectLight/ShadowRay.h"
 #include "FinalGather/FinalGatherScene.h"
 #include "FinalGather/FollowedPaths.h"
 

@@ -2,7 +2,7 @@
 #ifndef irradiance_FollowedPaths_h
 #define irradiance_FollowedPaths_h
 
-#include "DirectLight/ShadowRay.h"
+#include "DirectLight/PointDirectLight.h"
 
 #include <array>
 #include <cstdint>

@@ -91,12 +91,12 @@ void add(const FinalGatherScene& scene, const FollowedPaths::Path& path, std::ui
 
 }
 
-void PathSums::read(const FinalGatherScene& scene, const FollowedPaths& paths, std::size_t starts)
+PathSums::PathSums(const FinalGatherScene& scene, const FollowedPaths& paths)
+  : replicates_(scene.replicates())
+  , sums_(paths.size() / scene.rays * replicates_)
+  , differences_(scene.tellsNoise ? sums_.size() : 0)
+  , stale_(paths.size() / scene.rays)
 {
-  replicates_ = scene.replicates();
-  sums_.assign(starts * replicates_, {});
-  differences_.assign(scene.tellsNoise ? sums_.size() : 0, {});
-  stale_.assign(starts, {});
   for (std::size_t i = 0; i < paths.size(); ++i)
   {
     const std::size_t start = i / scene.rays;

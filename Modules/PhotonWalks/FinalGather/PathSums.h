@@ -21,9 +21,9 @@ namespace irradiance
 class PathSums
 {
 public:
-  /// Irradiance, in quanta/m2.
-  /// `starts`: each has scene.rays of the paths, in order.
-  void read(const FinalGatherScene& scene, const FollowedPaths& paths, std::size_t starts);
+  PathSums() = default;
+  /// Irradiance, in quanta/m2. Each start has scene.rays of the paths, in order.
+  PathSums(const FinalGatherScene& scene, const FollowedPaths& paths);
 
   /// What a replicate found.
   const Bands& found(std::size_t start, std::uint32_t replicate) const

@@ -85,7 +85,8 @@ void LightTable::addPoints(
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
     Light light({ number, sources[i].cell },
-      PointLight(object.worldFromObject(sources[i].position), walls.at(number, i)));
+      PointLight(object.worldFromObject(sources[i].position),
+        walls.empty() ? std::vector<Wall>() : walls[number][i]));
     std::copy(sources[i].flux.begin(), sources[i].flux.end(), light.flux.begin());
     if (object.emission->groupOf(light.cell.cell) == group)
     {

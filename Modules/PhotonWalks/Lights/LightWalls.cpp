@@ -83,20 +83,21 @@ std::vector<Wall> wallsAt(const SceneObjects& objects, const Vector3& light, Obj
 
 }
 
-LightWalls::LightWalls(
+LightWalls lightWallsOf(
   const SceneObjects& objects, ObjectSides& sides, const CancelPoint& cancelPoint)
-  : walls_(objects.size())
 {
+  LightWalls walls(objects.size());
   for (std::uint32_t i = 0; i < objects.size(); ++i)
   {
     const SceneObject& object = objects[i];
     for (std::size_t k = 0;
          object.isPresent && object.emits() && k < object.emission->points.size(); ++k)
     {
-      walls_[i].push_back(wallsAt(
+      walls[i].push_back(wallsAt(
         objects, object.worldFromObject(object.emission->points[k].position), sides, cancelPoint));
     }
   }
+  return walls;
 }
 
 }

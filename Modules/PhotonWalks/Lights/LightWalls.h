@@ -17,24 +17,13 @@ struct Wall
   double clearance; ///< distance from the plane at which light starts, as in SurfacePoint
 };
 
+/// The walls at each point source of each object; empty: there are none.
+using LightWalls = std::vector<std::vector<std::vector<Wall>>>;
+
 /// The walls in whose plane the point sources of a frame lie, except walls that let them shine to
 /// both sides.
-class LightWalls
-{
-public:
-  /// No walls.
-  LightWalls() = default;
-  LightWalls(const SceneObjects& objects, ObjectSides& sides, const CancelPoint& cancelPoint);
-
-  /// The walls at a point source of an object.
-  std::vector<Wall> at(std::uint32_t object, std::size_t source) const
-  {
-    return walls_.empty() ? std::vector<Wall>() : walls_[object][source];
-  }
-
-private:
-  std::vector<std::vector<std::vector<Wall>>> walls_; ///< by object and source
-};
+LightWalls lightWallsOf(
+  const SceneObjects& objects, ObjectSides& sides, const CancelPoint& cancelPoint);
 
 }
 

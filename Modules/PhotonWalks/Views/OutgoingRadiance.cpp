@@ -27,7 +27,7 @@ std::vector<OutgoingRadiance::Light> OutgoingRadiance::at(
   PathSums brought;
   if (gather_)
   {
-    brought = gather_->broughtBy(gather_->follow([&](FinalGatherPaths& paths) {
+    const FollowedPaths paths = gather_->follow([&](FinalGatherPaths& paths) {
       for (const SceneCell& cell : cells)
       {
         if (isSpecular(cell))
@@ -39,7 +39,8 @@ std::vector<OutgoingRadiance::Light> OutgoingRadiance::at(
             [&](const Vector3& point) { return eye.directionFrom(point); });
         }
       }
-    }));
+    });
+    brought = PathSums(gather_->scene(), paths);
   }
   std::vector<Light> lights;
   lights.reserve(cells.size());

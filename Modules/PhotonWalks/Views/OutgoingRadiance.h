@@ -55,14 +55,9 @@ public:
   /// change meanwhile. `samples`: of a specular cell; rounded up to a multiple of the replicates. Throws Interrupted.
   OutgoingRadiance(const IrradianceEngine& engine, std::uint32_t samples, Execution& execution);
 
-  /// Of a cell; 0 if it has no area.
-  struct Light
-  {
-    Bands value{};
-    /// From the variance between replicates; what is emitted has none. NaN where it is not known:
-    /// without replicates, or where nothing, or too little, is reflected.
-    Bands standardError{};
-  };
+  /// Of a cell; 0 if it has no area. What is emitted has no error; that of what is reflected is not
+  /// known either where this is too little.
+  using Light = ViewedLight;
   /// May be called by several threads. Throws std::runtime_error for a path that does not end.
   std::vector<Light> at(const std::vector<SceneCell>& cells, const Eye& eye) const;
   Light at(const SceneCell& cell, const Eye& eye) const { return at(std::vector{ cell }, eye)[0]; }

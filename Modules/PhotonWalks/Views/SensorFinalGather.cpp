@@ -150,7 +150,7 @@ std::vector<SensorFinalGather::Replicates> SensorFinalGather::update(
   Rays now{ startsOf(sensors, numbers, motion, rays.starts), {} };
   now.paths = pathsOf(now.starts, numbers, motion, rays, cast);
   rays = std::move(now);
-  const PathSums brought = gather_.broughtBy(rays.paths);
+  const PathSums brought(scene(), rays.paths);
   Bands unknown{};
   unknown.fill(kUnknown);
   std::vector<Replicates> found;
@@ -176,15 +176,6 @@ std::vector<SensorFinalGather::Replicates> SensorFinalGather::update(
   return found;
 }
 
-/// Outside of the bounds paths do not start at the sensor, but where the bounds say.
-bool SensorFinalGather::isKept(
-  const FinalGatherMotion* motion, const Rays::Start& now, const Rays::Start& before)
-{
-  return motion && now.place && before.place && now.place->position == before.place->position &&
-    now.place->normal == before.place->normal &&
-    (motion->isNone() || (now.isInside && before.isInside));
-}
-
 std::vector<SensorFinalGather::Rays::Start> SensorFinalGather::startsOf(
   const std::vector<Sensor>& sensors, const std::vector<std::size_t>& numbers,
   const FinalGatherMotion* motion, std::vector<Rays::Start>& before) const
@@ -195,7 +186,11 @@ std::vector<SensorFinalGather::Rays::Start> SensorFinalGather::startsOf(
     const Box& bounds = scene().frame.scene.bounds();
     Rays::Start start{ sensorPlace(bounds, near_, sensors[numbers[i]]) };
     start.isInside = start.place && contains(bounds, start.place->position);
-    if (i < before.size() && isKept(motion, start, before[i]))
+    // Outside of the bounds paths do not start at the sensor, but where the bounds say.
+    if (motion && i < before.size() && start.place && before[i].place &&
+      start.place->position == before[i].place->position &&
+      start.place->normal == before[i].place->normal &&
+      (motion->isNone() || (start.isInside && before[i].isInside)))
     {
       start.isKept = true;
       start.shadows = std::move(before[i].shadows);

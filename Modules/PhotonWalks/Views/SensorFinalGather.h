@@ -61,14 +61,8 @@ public:
   SensorFinalGather(const IrradianceEngine& engine, std::uint32_t rays, Execution& execution,
     bool keepsRays = false);
 
-  /// W/m2.
-  struct Light
-  {
-    Bands value; ///< NaN of a sensor that is too far away, see sensorPlace()
-    /// From the variance between replicates; NaN without these, or if none of them received
-    /// anything.
-    Bands standardError;
-  };
+  /// NaN of a sensor that is too far away, see sensorPlace().
+  using Light = ViewedLight;
   /// What each replicate adds to the light of a sensor, or of several together, W/m2; NaN of one
   /// that is too far away.
   using Replicates = std::vector<Bands>;
@@ -105,8 +99,6 @@ public:
   const FinalGatherScene& scene() const { return gather_.scene(); }
 
 private:
-  static bool isKept(
-    const FinalGatherMotion* motion, const Rays::Start& now, const Rays::Start& before);
   /// With what is kept of before, which is taken away.
   std::vector<Rays::Start> startsOf(const std::vector<Sensor>& sensors,
     const std::vector<std::size_t>& numbers, const FinalGatherMotion* motion,

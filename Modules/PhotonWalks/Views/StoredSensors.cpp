@@ -87,16 +87,16 @@ std::vector<std::size_t> StoredSensors::numbersOf(
 {
   const std::size_t first = unit * together, end = std::min(first + together, sensors_.size());
   const auto at = [&](std::size_t i) { return isDone.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::vector<std::size_t> numbers(end - first);
-  std::iota(numbers.begin(), numbers.end(), first);
-  if (!keepsRays)
+  const bool takesAll = keepsRays && std::find(at(first), at(end), false) != at(end);
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = first; i < end; ++i)
   {
-    numbers.erase(std::remove_if(numbers.begin(), numbers.end(),
-                    [&](std::size_t number) { return isDone[number]; }),
-      numbers.end());
+    if (keepsRays ? takesAll : !isDone[i])
+    {
+      numbers.push_back(i);
+    }
   }
-  return keepsRays && std::find(at(first), at(end), false) == at(end) ? std::vector<std::size_t>{}
-                                                                      : numbers;
+  return numbers;
 }
 
 std::vector<SensorFinalGather::Light> StoredSensors::lights() const

@@ -14,6 +14,15 @@
 namespace irradiance
 {
 
+/// What a cell sends to an eye, W/m2/sr, or what a sensor receives, W/m2, by band.
+struct ViewedLight
+{
+  Bands value{};
+  /// From the variance between replicates; NaN where it is not known: without replicates, or where
+  /// none of them found anything.
+  Bands standardError{};
+};
+
 /**
  * The final gather of what looks at a frame: sensors, and the specular cells that an eye sees.
  * Paths read the sums of large cells, by side; where these say nothing they ask the lights and go
@@ -42,13 +51,6 @@ public:
     FollowedPaths followed = paths->takeFollowed();
     paths_.giveBack(std::move(paths));
     return followed;
-  }
-  /// What paths bring, of which each start has as many as there are rays.
-  PathSums broughtBy(const FollowedPaths& paths) const
-  {
-    PathSums brought;
-    brought.read(scene_, paths, paths.size() / scene_.rays);
-    return brought;
   }
   /// W/m2 that came to the `start`-th start, times a factor: each replicate's part.
   std::vector<Bands> replicatesOf(const PathSums& brought, std::size_t start, double factor) const;

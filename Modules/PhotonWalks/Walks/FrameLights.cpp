@@ -29,7 +29,7 @@ const std::vector<WalkSource>& FrameLights::sources(const SceneObjects& objects,
   {
     sources_.clear();
     survey_.reset();
-    sources_ = sourcesOf(objects, plan, LightWalls(objects, sides, cancelPoint));
+    sources_ = sourcesOf(objects, plan, lightWallsOf(objects, sides, cancelPoint));
     objects_ = objects;
     plan_ = plan;
   }
