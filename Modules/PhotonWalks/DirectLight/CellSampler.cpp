@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectLight/CellSampler.h"
 
-#include "Lights/LitPoint.h"
+#include "Lights/SeenLight.h"
 #include "Sampling/DirectionSampling.h"
 #include "Sampling/SphericalTriangle.h"
 #include "Sampling/SplitMix.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectLight/LampPieces.h"
 
-#include "Lights/LitPoint.h"
+#include "Lights/SeenLight.h"
 #include "Sampling/WeightChoice.h"
 
 #include <algorithm>

@@ -5,7 +5,6 @@
 #include "Estimates/CellEstimator.h"
 #include "Estimates/PhotonShares.h"
 #include "FinalGather/FinalGather.h"
-#include "FinalGather/RayRounds.h"
 
 #include <optional>
 

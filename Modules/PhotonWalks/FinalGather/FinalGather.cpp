@@ -2,7 +2,6 @@
 #include "FinalGather/FinalGather.h"
 
 #include "Execution/SlicedPass.h"
-#include "FinalGather/RayRounds.h"
 
 #include <algorithm>
 #include <cmath>

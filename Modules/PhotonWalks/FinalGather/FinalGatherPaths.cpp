@@ -38,6 +38,13 @@ SampleKeys keysOf(std::uint64_t seed, std::uint32_t bounce, Use use)
     splitMix(seed ^ splitMix(std::uint64_t{ bounce } << 8 | static_cast<std::uint64_t>(use))));
 }
 
+/// Of a ray of a start.
+std::array<double, 2> sampleOf(
+  std::uint64_t seed, std::uint32_t number, std::uint32_t bounce, Use use)
+{
+  return SobolPoint::inUnitSquare(number, keysOf(seed, bounce, use));
+}
+
 /// What rounding does to rays is bounded for those that start near the scene: one that comes from
 /// afar starts again where it is as near as the scene is wide.
 Vector3 nearestOrigin(const Box& bounds, const Vector3& origin, const Vector3& direction)
@@ -242,12 +249,11 @@ FinalGatherPaths::Arrival FinalGatherPaths::arrivalOf(
   const int side = normal.dot(ray.direction) < 0 ? 0 : 1;
   const bool asksLobe =
     scene.asksOnLobes && material.isSpecular(cell) && !material.lobeOf(cell).isMirror();
-  Arrival arrival{ { { hit.id.object, cell }, side }, 0, false, false,
+  Arrival arrival{ { { hit.id.object, cell }, side }, false, false,
     asksLobe ? &material.lobeOf(cell) : nullptr, hit };
-  arrival.area = scene.frame.cells.area(arrival.side);
   const bool isLarge = scene.roles.isRead(arrival.side),
              isRead = isLarge && scene.isRead(arrival.side);
-  const bool isNear = hit.distance * hit.distance < arrival.area;
+  const bool isNear = hit.distance * hit.distance < scene.frame.cells.area(arrival.side);
   arrival.isKnown = isRead && !isNear;
   arrival.isUnknown = isLarge ? isNear || !isRead : !scene.knownDirect;
   return arrival;
@@ -366,10 +372,7 @@ void FinalGatherPaths::goOn(
   const double scale = std::max(1.0, survival.total()); // of several bands, see Absorption.h
   survival.diffuse /= scale;
   survival.specular /= scale;
-  const auto sample = [&](Use use) {
-    return SobolPoint::inUnitSquare(path.number, keysOf(path.seed, bounce_, use));
-  };
-  const double chance = sample(Use::Survival)[0];
+  const double chance = sampleOf(path.seed, path.number, bounce_, Use::Survival)[0];
   if (!(chance < survival.total()))
   {
     return;
@@ -394,7 +397,9 @@ void FinalGatherPaths::goOn(
     return;
   }
   nextRays_.push_back({ vertex.place.clearPosition(),
-    sampleHemisphere(vertex.place.normal, sample(Use::Direction)), vertex.id });
+    sampleHemisphere(
+      vertex.place.normal, sampleOf(path.seed, path.number, bounce_, Use::Direction)),
+    vertex.id });
   next_.push_back(next);
 }
 
@@ -402,10 +407,8 @@ void FinalGatherPaths::goOnSpecularly(const FinalGatherScene& scene, Path path,
   const PathVertex& from, const PhongLobe& lobe, std::vector<Path>& paths,
   std::vector<Ray>& rays) const
 {
-  const auto sample = [&](Use use) {
-    return SobolPoint::inUnitSquare(path.number, keysOf(path.seed, bounce_, use));
-  };
   const Vector3& normal = from.place.normal;
+  const auto sample = [&](Use use) { return sampleOf(path.seed, path.number, bounce_, use); };
   const Vector3 direction = lobe.sample(normal, from.incoming,
     { sample(Use::Direction), sample(Use::Acceptance)[0], sample(Use::Compensation) });
   path.isSpecular = true;

@@ -75,7 +75,6 @@ private:
   struct Arrival
   {
     CellSide side;
-    double area;           ///< of the cell, m2
     bool isKnown;          ///< what the side received is read
     bool isUnknown;        ///< nothing of it is
     const PhongLobe* lobe; ///< along which the lights are asked, or null

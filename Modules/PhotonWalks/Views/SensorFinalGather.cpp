@@ -2,7 +2,6 @@
 #include "Views/SensorFinalGather.h"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -168,8 +167,7 @@ std::vector<SensorFinalGather::Replicates> SensorFinalGather::update(
     Replicates replicates = gather_.replicatesOf(brought, path++, start.place->hasNormal() ? 1 : 4);
     for (std::size_t k = 0; k < replicates.size(); ++k)
     {
-      std::transform(replicates[k].begin(), replicates[k].end(), start.direct[k].begin(),
-        replicates[k].begin(), std::plus<double>());
+      replicates[k] += start.direct[k];
     }
     found.push_back(std::move(replicates));
   }

@@ -9,14 +9,6 @@
 namespace irradiance
 {
 
-namespace
-{
-
-// Lobes are many, and rays find what these neglect.
-constexpr std::uint32_t kSamplesOnLobe = 2;
-
-}
-
 ViewFinalGather::ViewFinalGather(const IrradianceEngine& engine, const CellShapes& shapes,
   std::uint32_t rays, bool asksOnLobes, bool keepsPaths, Execution& execution)
   : engine_(engine)

@@ -56,6 +56,9 @@ public:
   std::vector<Bands> replicatesOf(const PathSums& brought, std::size_t start, double factor) const;
 
 private:
+  // Lobes are many, and rays find what these neglect.
+  static constexpr std::uint32_t kSamplesOnLobe = 2;
+
   const IrradianceEngine& engine_;
   std::deque<PointDirectLight> lights_;
   std::vector<bool> foundLamps_;
