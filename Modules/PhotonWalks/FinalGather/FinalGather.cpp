@@ -160,34 +160,32 @@ void FinalGather::gather(
 void FinalGather::follow(const FinalGatherScene& scene, const FinalGatherMotion* motion,
   const std::vector<Side>& sides, FollowedPaths& paths)
 {
-  std::unique_ptr<FinalGatherPaths> following = paths_.take();
-  following->begin(scene);
   std::vector<std::size_t> from;
   std::vector<std::uint32_t> rays;
-  for (const Side& side : sides)
-  {
-    const SceneCell& cell = gatherers_[side.gatherer];
-    rays.clear();
-    for (std::uint32_t ray = 0; ray < side.starts * scene.rays; ++ray)
+  FollowedPaths anew = FinalGatherPaths::follow(paths_, scene, [&](FinalGatherPaths& following) {
+    for (const Side& side : sides)
     {
-      const bool isAnew =
-        !motion || motion->hasMoved(cell.object) || motion->mayChange(paths[from.size()]);
-      from.push_back(isAnew ? FollowedPaths::kAnew : from.size());
-      if (isAnew)
+      const SceneCell& cell = gatherers_[side.gatherer];
+      rays.clear();
+      for (std::uint32_t ray = 0; ray < side.starts * scene.rays; ++ray)
       {
-        rays.push_back(scene.firstRay(side.starts) + ray);
+        const bool isAnew =
+          !motion || motion->hasMoved(cell.object) || motion->mayChange(paths[from.size()]);
+        from.push_back(isAnew ? FollowedPaths::kAnew : from.size());
+        if (isAnew)
+        {
+          rays.push_back(scene.firstRay(side.starts) + ray);
+        }
+      }
+      if (!rays.empty())
+      {
+        following.addSide(
+          scene, scene.frame.cells.numbers()[cell], side.side == 0, numberOf(side), rays);
       }
     }
-    if (!rays.empty())
-    {
-      following->addSide(
-        scene, scene.frame.cells.numbers()[cell], side.side == 0, numberOf(side), rays);
-    }
-  }
-  following->run(scene);
-  followed_ += static_cast<std::int64_t>(following->followed().size());
-  paths = motion ? following->followed().mergedWith(paths, from) : following->takeFollowed();
-  paths_.giveBack(std::move(following));
+  });
+  followed_ += static_cast<std::int64_t>(anew.size());
+  paths = motion ? anew.mergedWith(paths, from) : std::move(anew);
 }
 
 void FinalGather::store(const FinalGatherScene& scene, const std::vector<PathSums>& brought,

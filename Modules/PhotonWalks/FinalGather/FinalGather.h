@@ -3,7 +3,6 @@
 #define irradiance_FinalGather_h
 
 #include "Execution/Execution.h"
-#include "Execution/Pool.h"
 #include "FinalGather/FinalGatherMotion.h"
 #include "FinalGather/FinalGatherPaths.h"
 #include "FinalGather/PathSums.h"
@@ -30,7 +29,7 @@ class FinalGather
 public:
   /// To a frame, by the first `rounds` rounds of rays, see RayRounds; paths of further ones are
   /// kept. `scene`: with the rays of the first. Throws Interrupted, and what
-  /// FinalGatherPaths::run() throws; after that nothing is kept.
+  /// FinalGatherPaths::follow() throws; after that nothing is kept.
   void update(const FinalGatherScene& scene, std::size_t rounds, Execution& execution);
   /// Forgets the paths of all but the first rounds.
   void dropRounds(std::size_t kept);

@@ -2,6 +2,7 @@
 #ifndef irradiance_FinalGatherPaths_h
 #define irradiance_FinalGatherPaths_h
 
+#include "Execution/Pool.h"
 #include "FinalGather/FinalGatherScene.h"
 #include "FinalGather/FollowedPaths.h"
 #include "FinalGather/LobeLight.h"
@@ -9,6 +10,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -28,8 +30,20 @@ namespace irradiance
 class FinalGatherPaths
 {
 public:
-  /// Forgets all sides and points.
-  void begin(const FinalGatherScene& scene);
+  /// Follows all paths that addStarts(FinalGatherPaths) adds to their ends, in the order in which
+  /// they were added. Throws std::runtime_error for one that does not end.
+  template <class AddStarts>
+  static FollowedPaths follow(
+    Pool<FinalGatherPaths>& pool, const FinalGatherScene& scene, const AddStarts& addStarts)
+  {
+    std::unique_ptr<FinalGatherPaths> paths = pool.take();
+    paths->begin(scene);
+    addStarts(*paths);
+    paths->run(scene);
+    FollowedPaths followed = std::exchange(paths->followed_, {});
+    pool.giveBack(std::move(paths));
+    return followed;
+  }
   /// Adds the paths of some rays of a side. `cell`: of the shapes. `number`: chooses its samples.
   /// `rays`: by number; each scene.rays of them are a start.
   void addSide(const FinalGatherScene& scene, std::size_t cell, bool isFront, std::uint64_t number,
@@ -44,12 +58,6 @@ public:
   using ToEye = std::function<Vector3(const Vector3& point)>;
   void addSpecular(
     const FinalGatherScene& scene, std::size_t cell, std::uint64_t number, const ToEye& toEye);
-  /// Follows all paths to their ends. Throws std::runtime_error for one that does not end.
-  void run(const FinalGatherScene& scene);
-
-  /// In the order in which they were added.
-  const FollowedPaths& followed() const { return followed_; }
-  FollowedPaths takeFollowed() { return std::exchange(followed_, {}); }
 
 private:
   struct Path
@@ -83,6 +91,9 @@ private:
     bool isFront() const { return side.side == 0; }
   };
 
+  /// Forgets all paths.
+  void begin(const FinalGatherScene& scene);
+  void run(const FinalGatherScene& scene);
   Path startOf(const FinalGatherScene& scene, std::uint64_t seed, std::uint32_t ray);
   /// `rayOf(i)`: the ray of this number.
   template <class RayOf>

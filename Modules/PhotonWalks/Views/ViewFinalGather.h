@@ -2,7 +2,6 @@
 #ifndef irradiance_ViewFinalGather_h
 #define irradiance_ViewFinalGather_h
 
-#include "Execution/Pool.h"
 #include "FinalGather/FinalGatherPaths.h"
 #include "FinalGather/PathLights.h"
 #include "FinalGather/PathSums.h"
@@ -44,13 +43,7 @@ public:
   template <class AddStarts>
   FollowedPaths follow(const AddStarts& addStarts) const
   {
-    std::unique_ptr<FinalGatherPaths> paths = paths_.take();
-    paths->begin(scene_);
-    addStarts(*paths);
-    paths->run(scene_);
-    FollowedPaths followed = paths->takeFollowed();
-    paths_.giveBack(std::move(paths));
-    return followed;
+    return FinalGatherPaths::follow(paths_, scene_, addStarts);
   }
   /// W/m2 that came to the `start`-th start, times a factor: each replicate's part.
   std::vector<Bands> replicatesOf(const PathSums& brought, std::size_t start, double factor) const;
