@@ -2,6 +2,7 @@
 #include "DirectLight/DirectGather.h"
 
 #include "DirectLight/DarkSides.h"
+#include "Sampling/SplitMix.h"
 
 #include <algorithm>
 
@@ -73,10 +74,10 @@ DirectGather::DirectGather(
 {
 }
 
-void DirectGather::addTo(CellSums& sums, PowerBalance& balance, const DealtBlocks& dealt, int sign,
-  const CancelPoint& cancelPoint) const
+void DirectGather::addTo(const Totals& totals, int sign, const CancelPoint& cancelPoint) const
 {
-  if (settings_.part.isStatic() && dealt.contains(0))
+  PowerBalance& balance = totals.balance;
+  if (settings_.part.isStatic() && totals.dealt.contains(0))
   {
     for (const Light& light : lamps_.lights().lights())
     {
@@ -89,22 +90,25 @@ void DirectGather::addTo(CellSums& sums, PowerBalance& balance, const DealtBlock
       }
     }
   }
-  count(light_.addTo(sums, settings_.round, sign, dealt, cancelPoint), balance);
+  count(light_.addTo(totals.sums, settings_.round, sign, totals.dealt, cancelPoint), balance);
 }
 
-void DirectGather::change(const std::vector<std::uint32_t>& samples, CellSums& sums,
-  PowerBalance& balance, const DealtBlocks& dealt) const
+std::vector<std::uint32_t> DirectGather::follow(
+  const Frame& frame, const Totals& totals, Execution& execution)
 {
+  const std::vector<std::uint32_t> samples = light_.follow(frame, execution);
   for (const std::uint32_t number : samples)
   {
     const std::size_t cell = plan_.cellOf(number);
-    if (dealt.contains(cell))
+    if (totals.dealt.contains(cell))
     {
       const TriangleId id = triangles_.idOf(light_.samples()[number].triangle);
       const int sign = light_.isVisible(number) ? 1 : -1;
-      count(light_.add(number, cell, sums.cellOf(id), sign, sums, settings_.round), balance);
+      count(light_.add(number, cell, totals.sums.cellOf(id), sign, totals.sums, settings_.round),
+        totals.balance);
     }
   }
+  return starts_.walksOf(samples);
 }
 
 void DirectGather::count(const Power& power, PowerBalance& balance)
@@ -113,6 +117,41 @@ void DirectGather::count(const Power& power, PowerBalance& balance)
   balance.escaped -= power;
   balance.unmet -= power;
   balance.received += power.total();
+}
+
+void DirectRounds::append(
+  const Frame& frame, const LampPieces& lamps, std::uint32_t walks, Execution& execution)
+{
+  DirectGather::Settings its = settings_;
+  its.walks = walks;
+  its.round = rounds_.size();
+  its.firstWalk = plan_.endWalk();
+  its.seed = its.round == 0 ? settings_.seed : splitMix(settings_.seed + its.round);
+  rounds_.push_back(std::make_unique<DirectGather>(frame, lamps, its, execution));
+  plan_.addRound(rounds_.back()->starts().size());
+}
+
+void DirectRounds::drop(
+  std::size_t kept, const DirectGather::Totals& totals, const CancelPoint& cancelPoint)
+{
+  while (rounds_.size() > kept)
+  {
+    rounds_.back()->addTo(totals, -1, cancelPoint);
+    rounds_.pop_back();
+  }
+  plan_.dropRounds(kept);
+}
+
+std::vector<std::uint32_t> DirectRounds::follow(
+  const Frame& frame, const DirectGather::Totals& totals, Execution& execution)
+{
+  std::vector<std::uint32_t> walks;
+  for (const std::unique_ptr<DirectGather>& light : rounds_)
+  {
+    const std::vector<std::uint32_t> some = light->follow(frame, totals, execution);
+    walks.insert(walks.end(), some.begin(), some.end());
+  }
+  return walks;
 }
 
 }

@@ -99,7 +99,7 @@ void WalkSet::beginRound(bool isStored, const Frame& frame, Execution& execution
     gathered_->append(frame, *source_.lamps, walks.endWalk - walks.firstWalk, beginning);
     history_.extend(plan());
     sums_.setRounds(plan(), cancelPoint);
-    gathered_->addTo(totals(), round, cancelPoint);
+    gathered_->rounds()[round]->addTo(totals(), 1, cancelPoint);
   }
   else
   {
