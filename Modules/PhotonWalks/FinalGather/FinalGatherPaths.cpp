@@ -99,12 +99,14 @@ void FinalGatherPaths::addSide(const FinalGatherScene& scene, std::size_t cell, 
   const SampleKeys places = keysOf(seed, 0, Use::Position),
                    directions = keysOf(seed, 0, Use::Direction);
   const AreaPoints points(scene.shapes, scene.frame.triangles, cell);
-  addStart(scene, seed, rays, [&](std::uint32_t i) {
+  for (const std::uint32_t i : rays)
+  {
     auto [point, id] = points.at(SobolPoint::inUnitSquare(i, places));
     point.turn(isFront);
-    return Ray{ point.clearPosition(),
-      sampleHemisphere(point.normal, SobolPoint::inUnitSquare(i, directions)), id };
-  });
+    rays_.push_back({ point.clearPosition(),
+      sampleHemisphere(point.normal, SobolPoint::inUnitSquare(i, directions)), id });
+    paths_.push_back(startOf(scene, seed, i));
+  }
 }
 
 void FinalGatherPaths::addPoint(const FinalGatherScene& scene, const LitPoint& point,
@@ -112,13 +114,15 @@ void FinalGatherPaths::addPoint(const FinalGatherScene& scene, const LitPoint& p
 {
   const std::uint64_t seed = seedOf(scene, number);
   const SampleKeys directions = keysOf(seed, 0, Use::Direction);
-  addStart(scene, seed, rays, [&](std::uint32_t i) {
+  for (const std::uint32_t i : rays)
+  {
     const std::array<double, 2> u = SobolPoint::inUnitSquare(i, directions);
     const Vector3 direction =
       point.hasNormal() ? sampleHemisphere(point.normal, u) : sampleSphere(u);
-    return Ray{ nearestOrigin(scene.frame.scene.bounds(), point.position, direction), direction,
-      point.on };
-  });
+    rays_.push_back({ nearestOrigin(scene.frame.scene.bounds(), point.position, direction),
+      direction, point.on });
+    paths_.push_back(startOf(scene, seed, i));
+  }
 }
 
 void FinalGatherPaths::addSpecular(
@@ -153,17 +157,6 @@ FinalGatherPaths::Path FinalGatherPaths::startOf(
   Path path{ {}, seed, ray, numberOfPaths_++, false, kInfinity };
   std::fill_n(path.weight.begin(), bands_, 1.0 / scene.raysOfReplicate());
   return path;
-}
-
-template <class RayOf>
-void FinalGatherPaths::addStart(const FinalGatherScene& scene, std::uint64_t seed,
-  const std::vector<std::uint32_t>& rays, const RayOf& rayOf)
-{
-  for (const std::uint32_t i : rays)
-  {
-    rays_.push_back(rayOf(i));
-    paths_.push_back(startOf(scene, seed, i));
-  }
 }
 
 void FinalGatherPaths::run(const FinalGatherScene& scene)

@@ -95,10 +95,6 @@ private:
   void begin(const FinalGatherScene& scene);
   void run(const FinalGatherScene& scene);
   Path startOf(const FinalGatherScene& scene, std::uint64_t seed, std::uint32_t ray);
-  /// `rayOf(i)`: the ray of this number.
-  template <class RayOf>
-  void addStart(const FinalGatherScene& scene, std::uint64_t seed,
-    const std::vector<std::uint32_t>& rays, const RayOf& rayOf);
   /// Asks the lights on the lobe of a start.
   void recordStart(
     const FinalGatherScene& scene, const Path& path, const PathVertex& from, const PhongLobe& lobe);

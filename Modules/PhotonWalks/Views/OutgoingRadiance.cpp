@@ -27,7 +27,7 @@ std::vector<OutgoingRadiance::Light> OutgoingRadiance::at(
   PathSums brought;
   if (gather_)
   {
-    const FollowedPaths paths = gather_->follow([&](FinalGatherPaths& paths) {
+    const FollowedPaths followed = gather_->follow([&](FinalGatherPaths& paths) {
       for (const SceneCell& cell : cells)
       {
         if (isSpecular(cell))
@@ -40,7 +40,7 @@ std::vector<OutgoingRadiance::Light> OutgoingRadiance::at(
         }
       }
     });
-    brought = PathSums(gather_->scene(), paths);
+    brought = PathSums(gather_->scene(), followed);
   }
   std::vector<Light> lights;
   lights.reserve(cells.size());
