@@ -112,14 +112,14 @@ const CellSampler::Part& CellSampler::choosePart(double& u) const
 void CellSampler::gather(
   const Part& part, Square onCell, Square onLight, DirectSample& sample) const
 {
-  const LampChoice::Choice choice = choice_.choose(onLight[0]);
+  const WeightChoice choice = choice_.choose(onLight[0]);
   onLight[0] = choice.rest;
-  const LampPiece& lamp = lamps_[choice.piece];
+  const LampPiece& lamp = lamps_[choice.place];
   sample.light = lamp.light;
   gatherFrom(lamp, part, onCell, onLight, sample);
   const bool isTouching =
     std::find(part.touching.begin(), part.touching.end(), lamp.light) != part.touching.end();
-  sample.part = isTouching ? 0 : lamp.share * sample.part / choice.probability;
+  sample.part = isTouching ? 0 : lamp.share * sample.part / choice.weight;
 }
 
 SurfacePoint CellSampler::cellPoint(const Part& part, const Vector3& weights, DirectSample& sample)

@@ -64,7 +64,7 @@ DirectGather::DirectGather(
       static_cast<double>(lamps.lights().quantaPerWalk()) * settings.walks / lamps.lights().flux())
   , cells_(shapesOf(frame, lamps.lights(), settings.part, cancelPointOf(execution, 0)))
   , plan_(cells_, lamps_,
-      { settings.walks, settings.density, settings.replicates,
+      { settings.walks, settings.walksPerSample, settings.fewest, settings.replicates,
         static_cast<double>(lamps.lights().quantaPerWalk()) /
           static_cast<double>(settings.quantaPerWalk) },
       cancelPointOf(execution, 0))

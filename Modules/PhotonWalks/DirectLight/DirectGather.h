@@ -46,7 +46,8 @@ public:
     std::uint32_t replicates;
     std::uint32_t firstWalk;    ///< the number of the first walk that may be born
     std::int64_t quantaPerWalk; ///< with which a walk starts, in all bands together
-    DirectPlan::Density density;
+    double walksPerSample;      ///< that a cell may receive for each of its samples
+    FewestSamples fewest;
     std::uint64_t seed;
     // DirectRounds sets these for each round.
     std::uint32_t walks = 0; ///< among which the flux of the lights is divided

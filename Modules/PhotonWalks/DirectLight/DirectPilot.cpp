@@ -54,7 +54,7 @@ DirectPilot::DirectPilot(const SceneObjects& objects, const LampPieces& lamps)
   frame.objects = { someCellsOf(objects.staticObject), {} };
   frame.triangles = SceneTriangles(frame.objects);
   const CellShapes cells(frame, 0, 1);
-  const DirectPlan plan(cells, lamps, { 1, { kMostWalks, { kSamples, kSamples } }, 1 });
+  const DirectPlan plan(cells, lamps, { 1, kMostWalks, { kSamples, kSamples }, 1 });
   std::array<CellSampler, 2> samplers{ CellSampler(cells, frame, lamps, plan, 1),
     CellSampler(cells, frame, lamps, plan, 2) };
   LampChoice choice(lamps);

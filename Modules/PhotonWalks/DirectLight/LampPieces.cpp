@@ -2,7 +2,6 @@
 #include "DirectLight/LampPieces.h"
 
 #include "Lights/SeenLight.h"
-#include "Sampling/WeightChoice.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +16,7 @@ namespace
 
 /// How much is uncertain about what a node brings: its flux, its size and the solid angle into
 /// which it shines.
-double spreadOf(const LampTree::Node& node)
+double spreadOf(const LampPieces::Node& node)
 {
   return node.lamp.flux * node.lamp.radius * node.lamp.radius * node.lamp.cone.solidAngle();
 }
@@ -28,34 +27,52 @@ constexpr double kShort = 0.02;
 
 }
 
-LampTree::LampTree(const std::vector<LampPiece>& pieces)
-  : order_(pieces.size())
+LampPieces::LampPieces(LightTable lights)
+  : lights_(std::move(lights))
 {
-  std::iota(order_.begin(), order_.end(), 0u);
-  if (!pieces.empty())
+  Box bounds;
+  for (const Light& light : lights_.lights())
   {
-    nodes_.push_back(nodeOf(0, static_cast<std::uint32_t>(pieces.size()), pieces));
+    bounds.add(light.bounds());
+  }
+  const double shortest = kShort * bounds.extent().norm();
+  for (std::uint32_t i = 0; i < lights_.lights().size(); ++i)
+  {
+    addPieces(lights_[i], i, shortest, pieces_);
+    if (lights_[i].surface())
+    {
+      areas_.push_back(i);
+    }
+  }
+  for (const LampPiece& piece : pieces_)
+  {
+    centers_.add(piece.center);
+  }
+  order_.resize(pieces_.size());
+  std::iota(order_.begin(), order_.end(), 0u);
+  if (!pieces_.empty())
+  {
+    nodes_.push_back(nodeOf(0, static_cast<std::uint32_t>(pieces_.size())));
   }
   for (std::uint32_t number = 0; number < nodes_.size(); ++number)
   {
-    split(number, pieces);
+    split(number);
   }
-  places_.resize(pieces.size());
+  places_.resize(pieces_.size());
   for (std::uint32_t place = 0; place < order_.size(); ++place)
   {
     places_[order_[place]] = place;
   }
 }
 
-LampTree::Node LampTree::nodeOf(
-  std::uint32_t first, std::uint32_t end, const std::vector<LampPiece>& pieces) const
+LampPieces::Node LampPieces::nodeOf(std::uint32_t first, std::uint32_t end) const
 {
   Node node;
   node.first = first;
   node.end = end;
   if (end - first == 1)
   {
-    node.lamp = pieces[order_[first]];
+    node.lamp = pieces_[order_[first]];
     return node;
   }
   Box bounds;
@@ -65,7 +82,7 @@ LampTree::Node LampTree::nodeOf(
   node.lamp.flux = 0;
   for (std::uint32_t place = first; place < end; ++place)
   {
-    const LampPiece& piece = pieces[order_[place]];
+    const LampPiece& piece = pieces_[order_[place]];
     bounds.add(piece.bounds());
     node.lamp.flux += piece.flux;
     normals += piece.flux * piece.normal;
@@ -79,7 +96,7 @@ LampTree::Node LampTree::nodeOf(
     double cosine = 1;
     for (std::uint32_t place = first; place < end; ++place)
     {
-      const LampPiece& piece = pieces[order_[place]];
+      const LampPiece& piece = pieces_[order_[place]];
       cosine = std::min(cosine, node.lamp.normal.dot(piece.normal));
       node.depth = std::max(node.depth, node.lamp.normal.dot(node.lamp.center - piece.center));
     }
@@ -92,7 +109,7 @@ LampTree::Node LampTree::nodeOf(
 
 /// At the median along the longest edge of the bounds, or where normals differ most: as leaves less
 /// spread.
-void LampTree::split(std::uint32_t number, const std::vector<LampPiece>& pieces)
+void LampPieces::split(std::uint32_t number)
 {
   const std::uint32_t first = nodes_[number].first, end = nodes_[number].end;
   if (end - first == 1)
@@ -102,8 +119,8 @@ void LampTree::split(std::uint32_t number, const std::vector<LampPiece>& pieces)
   Box centers, normals;
   for (std::uint32_t place = first; place < end; ++place)
   {
-    centers.add(pieces[order_[place]].center);
-    normals.add(pieces[order_[place]].normal);
+    centers.add(pieces_[order_[place]].center);
+    normals.add(pieces_[order_[place]].normal);
   }
   const std::uint32_t middle = first + (end - first) / 2;
   const auto at = [&](std::uint32_t place) { return order_.begin() + place; };
@@ -111,10 +128,10 @@ void LampTree::split(std::uint32_t number, const std::vector<LampPiece>& pieces)
     Eigen::Index axis = 0;
     box.extent().maxCoeff(&axis);
     std::nth_element(at(first), at(middle), at(end), [&](std::uint32_t a, std::uint32_t b) {
-      const double left = (pieces[a].*value)[axis], right = (pieces[b].*value)[axis];
+      const double left = (pieces_[a].*value)[axis], right = (pieces_[b].*value)[axis];
       return left < right || (left == right && a < b);
     });
-    return std::pair(nodeOf(first, middle, pieces), nodeOf(middle, end, pieces));
+    return std::pair(nodeOf(first, middle), nodeOf(middle, end));
   };
   const auto spreadOfBoth = [](const std::pair<Node, Node>& halves) {
     return spreadOf(halves.first) + spreadOf(halves.second);
@@ -138,7 +155,7 @@ void LampTree::split(std::uint32_t number, const std::vector<LampPiece>& pieces)
   nodes_.push_back(std::move(halves.second));
 }
 
-LampTree::Choice LampTree::choose(const Node& node, double part) const
+WeightChoice LampPieces::choose(const Node& node, double part) const
 {
   const Node* below = &node;
   while (!below->isLeaf())
@@ -148,30 +165,6 @@ LampTree::Choice LampTree::choose(const Node& node, double part) const
     below = choosesFirst(first, part) ? halves : halves + 1;
   }
   return { order_[below->first], below->lamp.flux / node.lamp.flux, part };
-}
-
-LampPieces::LampPieces(LightTable lights)
-  : lights_(std::move(lights))
-{
-  Box bounds;
-  for (const Light& light : lights_.lights())
-  {
-    bounds.add(light.bounds());
-  }
-  const double shortest = kShort * bounds.extent().norm();
-  for (std::uint32_t i = 0; i < lights_.lights().size(); ++i)
-  {
-    addPieces(lights_[i], i, shortest, pieces_);
-    if (lights_[i].surface())
-    {
-      areas_.push_back(i);
-    }
-  }
-  tree_ = LampTree(pieces_);
-  for (const LampPiece& piece : pieces_)
-  {
-    centers_.add(piece.center);
-  }
 }
 
 std::optional<std::uint32_t> LampPieces::lightOn(const TriangleId& triangle) const

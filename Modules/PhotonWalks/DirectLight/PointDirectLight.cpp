@@ -115,11 +115,11 @@ PointLampChoice::Choice PointLampChoice::choose(double sample) const
 /// A piece; then one of its parts.
 PointLampChoice::Choice PointLampChoice::chooseRoughly(double sample) const
 {
-  const LampChoice::Choice chosen = rough_.choose(sample);
-  Choice choice{ lamps_[chosen.piece].light, chosen.probability, chosen.rest, {} };
+  const WeightChoice chosen = rough_.choose(sample);
+  Choice choice{ lamps_[chosen.place].light, chosen.weight, chosen.rest, {} };
   double sum = 0;
   std::vector<SeenLight> parts;
-  addParts(chosen.piece, parts);
+  addParts(static_cast<std::uint32_t>(chosen.place), parts);
   std::vector<double> cumulative;
   cumulative.reserve(parts.size());
   for (const SeenLight& part : parts)
@@ -133,8 +133,7 @@ PointLampChoice::Choice PointLampChoice::chooseRoughly(double sample) const
   else if (sum > 0)
   {
     const WeightChoice found = chooseByWeight(cumulative, chosen.rest);
-    choice = { choice.light, chosen.probability * found.weight / sum, found.rest,
-      parts[found.place] };
+    choice = { choice.light, chosen.weight * found.weight / sum, found.rest, parts[found.place] };
   }
   return choice;
 }

@@ -37,7 +37,7 @@ void addNearLampLight(const FinalGatherScene& scene, const WalkSet& set, std::si
     }
   });
   const DirectPlan plan(shapes, lamps,
-    { walks, { kWalksPerSample, { scene.rays, scene.rays, 2 * scene.rays } }, replicates },
+    { walks, kWalksPerSample, { scene.rays, scene.rays, 2 * scene.rays }, replicates },
     cancelPoint);
   DirectLight light(
     shapes, lamps, plan, splitMix(scene.seed + set.source().firstWalk), quantaPerWatt);

@@ -77,12 +77,6 @@ private:
   /// Follows again the paths of a round that may have changed, all if nothing is kept.
   void follow(const FinalGatherScene& scene, const FinalGatherMotion* motion,
     const std::vector<Side>& sides, FollowedPaths& paths);
-  /// By the place among sides that gather. The number of its cell would not do: absent cells have
-  /// numbers in a frame that follows others, and none in a fresh one.
-  static std::uint64_t numberOf(const Side& side)
-  {
-    return 2 * side.gatherer + static_cast<std::uint64_t>(side.side);
-  }
   /// `brought`: by round. `start`: the first of the side's.
   void store(const FinalGatherScene& scene, const std::vector<PathSums>& brought, std::size_t start,
     const Side& side);

@@ -159,7 +159,7 @@ FinalGatherPaths::Path FinalGatherPaths::startOf(
   return path;
 }
 
-void FinalGatherPaths::run(const FinalGatherScene& scene)
+FollowedPaths FinalGatherPaths::run(const FinalGatherScene& scene)
 {
   while (!paths_.empty())
   {
@@ -187,10 +187,10 @@ void FinalGatherPaths::run(const FinalGatherScene& scene)
     paths_.swap(next_);
     rays_.swap(nextRays_);
   }
-  sortSteps();
+  return sorted();
 }
 
-void FinalGatherPaths::sortSteps()
+FollowedPaths FinalGatherPaths::sorted()
 {
   std::vector<std::uint32_t> ends(numberOfPaths_ + 1), order(steps_.size());
   for (const Step& step : steps_)
@@ -203,19 +203,20 @@ void FinalGatherPaths::sortSteps()
   {
     order[places[steps_[i].path]++] = i;
   }
-  followed_.clear();
-  followed_.reserve(numberOfPaths_, steps_.size(), values_.size());
+  FollowedPaths followed;
+  followed.reserve(numberOfPaths_, steps_.size(), values_.size());
   steps_.push_back({ numberOfPaths_, {}, values_.size(), shadows_.size() }); // where the last ends
   for (std::uint32_t path = 0; path < numberOfPaths_; ++path)
   {
     for (std::uint32_t i = ends[path]; i < ends[path + 1]; ++i)
     {
       const Step &step = steps_[order[i]], &next = steps_[order[i] + 1];
-      followed_.addSegment(step.segment, values_.data() + step.value, values_.data() + next.value,
+      followed.addSegment(step.segment, values_.data() + step.value, values_.data() + next.value,
         shadows_.data() + step.shadow, shadows_.data() + next.shadow);
     }
-    followed_.endPath();
+    followed.endPath();
   }
+  return followed;
 }
 
 void FinalGatherPaths::cast(const FinalGatherScene& scene)

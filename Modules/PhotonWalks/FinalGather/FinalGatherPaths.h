@@ -39,8 +39,7 @@ public:
     std::unique_ptr<FinalGatherPaths> paths = pool.take();
     paths->begin(scene);
     addStarts(*paths);
-    paths->run(scene);
-    FollowedPaths followed = std::exchange(paths->followed_, {});
+    FollowedPaths followed = paths->run(scene);
     pool.giveBack(std::move(paths));
     return followed;
   }
@@ -93,7 +92,7 @@ private:
 
   /// Forgets all paths.
   void begin(const FinalGatherScene& scene);
-  void run(const FinalGatherScene& scene);
+  FollowedPaths run(const FinalGatherScene& scene);
   Path startOf(const FinalGatherScene& scene, std::uint64_t seed, std::uint32_t ray);
   /// Asks the lights on the lobe of a start.
   void recordStart(
@@ -108,7 +107,8 @@ private:
   void addStep(const Path& path, const PathSegment& segment);
   void askLights(
     const FinalGatherScene& scene, const Path& path, const PathVertex& at, const Arrival& arrival);
-  void sortSteps();
+  /// The steps by path, in the order of these.
+  FollowedPaths sorted();
   /// Appends what goes on.
   void goOn(
     const FinalGatherScene& scene, const Path& path, const Ray& ray, const Arrival& arrival);
@@ -124,7 +124,6 @@ private:
   std::vector<Step> steps_; ///< bounce by bounce
   std::vector<double> values_;
   std::vector<ShadowRay> shadows_; ///< if paths are kept
-  FollowedPaths followed_;
 };
 
 }

@@ -56,7 +56,6 @@ public:
     return { segments_.data() + first.segment, segments_.data() + end.segment,
       values_.data() + first.value, shadows_.data() + first.shadow, shadows_.data() + end.shadow };
   }
-  void clear();
   void reserve(std::size_t paths, std::size_t segments, std::size_t values);
   /// To the path that endPath() ends. `values`: with several bands the weights of the segment; what
   /// the lights brought where they were asked; the weight of a lamp. `shadows`: of these lights.

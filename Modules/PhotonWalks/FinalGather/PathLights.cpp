@@ -10,13 +10,14 @@ namespace irradiance
 {
 
 std::deque<PointDirectLight> lightsOf(const WalkSets& walks, const Frame& frame, std::uint64_t seed,
-  std::uint32_t samples, std::size_t mostWeights)
+  std::uint32_t samples, std::size_t mostWeights, bool gathered)
 {
   std::deque<PointDirectLight> lights;
   for (const WalkSet& set : walks.sets())
   {
+    const bool isAsked = gathered ? set.source().cells.has_value() : !set.source().areFoundByRays;
     // The sets of dynamic cells have the same lights.
-    if (!set.source().isDynamic() && !set.source().areFoundByRays && !set.lights().isEmpty())
+    if (isAsked && !set.source().isDynamic() && !set.lights().isEmpty())
     {
       lights.emplace_back(
         frame, set.source().knownLamps(), seed + lights.size(), samples, mostWeights);

@@ -4,6 +4,7 @@
 
 #include "Views/ViewFinalGather.h"
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -63,14 +64,14 @@ public:
   Light at(const SceneCell& cell, const Eye& eye) const { return at(std::vector{ cell }, eye)[0]; }
 
 private:
-  /// The part of a cell's area of which an eye sees a side.
-  struct SeenSide
+  /// The parts of a cell's area of which an eye sees the front and the back; 0 without an area.
+  using SeenParts = std::array<double, 2>;
+  SeenParts partsOf(const SceneCell& cell, const Eye& eye) const;
+  /// Whose irradiance a side has.
+  CellSide sumsOf(const SceneCell& cell, std::size_t side) const
   {
-    CellSide sums; ///< whose irradiance it has
-    bool isFront;
-    double part;
-  };
-  std::vector<SeenSide> sidesOf(const SceneCell& cell, const Eye& eye) const;
+    return { cell, engine_.settings().separateSides ? static_cast<int>(side) : CellSide::kBoth };
+  }
   bool isSpecular(const SceneCell& cell) const
   {
     return engine_.cells().area(cell) > 0 && materialOf(cell).isSpecular(cell.cell);
@@ -78,8 +79,8 @@ private:
   /// `specular`: what each replicate found for a specular reflectance of pi; empty of a cell
   /// without.
   Light lightOf(const SceneCell& cell, const Eye& eye, const std::vector<Bands>& specular) const;
-  double standardErrorOf(
-    const std::vector<SeenSide>& sides, std::size_t band, const std::vector<Bands>& specular) const;
+  double standardErrorOf(const SceneCell& cell, const SeenParts& parts, std::size_t band,
+    const std::vector<Bands>& specular) const;
   const Material& materialOf(const SceneCell& cell) const
   {
     return *engine_.objects()[cell.object].material;

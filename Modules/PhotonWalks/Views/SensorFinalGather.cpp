@@ -95,17 +95,9 @@ std::optional<LitPoint> sensorPlace(const Box& bounds, const Box& near, const Se
 
 std::deque<PointDirectLight> gatheredLightsOf(const IrradianceEngine& engine)
 {
-  std::deque<PointDirectLight> lights;
-  for (const WalkSet& set : engine.walks().sets())
-  {
-    // The sets of dynamic cells have the same lights.
-    if (set.source().cells && !set.source().isDynamic() && !set.lights().isEmpty())
-    {
-      lights.emplace_back(
-        engine.frame(), set.source().knownLamps(), engine.settings().seed + lights.size());
-    }
-  }
-  return lights;
+  constexpr std::uint32_t kSamples = 64;
+  return lightsOf(engine.walks(), engine.frame(), engine.settings().seed, kSamples,
+    LampChoice::kMostOfPoint, true);
 }
 
 Bands directLightAt(const Foot& foot, std::uint64_t number,

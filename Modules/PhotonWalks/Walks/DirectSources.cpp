@@ -47,7 +47,8 @@ std::vector<WalkSource> partsOf(const WalkSource& source, const LightSurvey::Gro
   {
     WalkSource gathered{ group.lightsOf(source, Known::Gathered), source.plan, CellPart{} };
     gathered.lamps = group.lamps;
-    gathered.density = { group.walksPerSample, fewestSamples.atVariance(group.variance) };
+    gathered.walksPerSample = group.walksPerSample;
+    gathered.fewest = fewestSamples.atVariance(group.variance);
     parts.push_back(std::move(gathered));
   }
   if (parts.size() > 1 || !parts.front().cells)
@@ -98,7 +99,7 @@ std::vector<WalkSource> directSourcesOf(const SceneObjects& objects,
       all.back().quantaPerStart = std::max<std::int64_t>(1,
         std::llround(LightSurvey::powerOfStart(reflected) *
           static_cast<double>(source.lights.quantaPerWalk())));
-      all.back().density.fewest = part.isStatic() ? fewestSamples.asMany() : source.density.fewest;
+      all.back().fewest = part.isStatic() ? fewestSamples.asMany() : source.fewest;
       all.back().firstWalk = end;
       end += part.isStatic() ? ofStatic : (share - ofStatic) / std::max(1u, others);
     }

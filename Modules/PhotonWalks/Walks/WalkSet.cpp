@@ -50,7 +50,7 @@ void WalkSet::start(const Frame& frame, Execution& execution)
   {
     gathered_ = std::make_unique<DirectRounds>(
       DirectGather::Settings{ *source_.cells, source_.plan.replicates().count(), source_.firstWalk,
-        source_.quantaPerStart, source_.density, settings_.seed });
+        source_.quantaPerStart, source_.walksPerSample, source_.fewest, settings_.seed });
     gatherers = { source_.cells->first, source_.cells->end };
   }
   sums_ = CellSums(frame.objects, plan(), 0, gatherers);
