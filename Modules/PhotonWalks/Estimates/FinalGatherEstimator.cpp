@@ -64,9 +64,8 @@ void FinalGatherEstimator::update(const EstimateRounds& rounds, Execution& execu
   const std::vector<bool> found = foundLamps(walks(), frame().cells.numbers());
   const std::vector<bool> uneven = unevenCells(shapes, *roles_, walks(), cancelPoint);
   FinalGatherScene scene{ frame(), shapes, *roles_, all, settings_.isUnbiased ? nullptr : &direct,
-    walks().staleSums(), rounds.walks, lights, found, uneven,
-    static_cast<std::uint32_t>(rays().after(1)), 1 / walks().watts(1.0, rounds.walks),
-    settings_.seed, keepsPaths() || settings_.mostRays > 0 };
+    walks().staleSums(), rounds.walks, lights, found, uneven, firstRays(),
+    1 / walks().watts(1.0, rounds.walks), settings_.seed, keepsPaths() || settings_.mostRays > 0 };
   scene.tellsNoise = settings_.mostRays > 0;
   for (const WalkSet& set : walks().sets())
   {
@@ -107,9 +106,9 @@ void FinalGatherEstimator::putTogether(
   });
 }
 
-RayRounds FinalGatherEstimator::rays() const
+std::uint32_t FinalGatherEstimator::firstRays() const
 {
-  return { dealtRays(settings_.rays, walks().plan().replicates().count()), settings_.mostRays };
+  return dealtRays(settings_.rays, walks().plan().replicates().count());
 }
 
 /// Of a single ray nothing is known: its noise counts for all that there is.

@@ -43,7 +43,7 @@ void FinalGather::update(const FinalGatherScene& scene, std::size_t rounds, Exec
   Rounds followed;
   for (std::size_t round = 0; round < keptRounds_; ++round)
   {
-    followed.push_back(RayRounds::inRound(scene, round));
+    followed.push_back(scene.inRound(round));
   }
   SlicedPass pass{ units, {} };
   pass.work = [&](std::size_t unit, const Deadline&) {
@@ -204,7 +204,7 @@ void FinalGather::store(const FinalGatherScene& scene, const std::vector<PathSum
       {
         sum += found(brought[round], i);
       }
-      all += RayRounds::share(round, brought.size()) * sum;
+      all += shareOfRound(round, brought.size()) * sum;
     }
     return areaOfStart * all;
   };
@@ -236,7 +236,7 @@ void FinalGather::storeNoise(const FinalGatherScene& scene, const std::vector<Pa
     {
       for (std::size_t round = 0; last > 0 && round <= last; ++round)
       {
-        const double share = RayRounds::share(round, brought.size());
+        const double share = shareOfRound(round, brought.size());
         difference += (round < last ? share : -share) * brought[round].found(at, k);
       }
       difference += last == 0 ? brought[0].difference(at, k) : Bands{};

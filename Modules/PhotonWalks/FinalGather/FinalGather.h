@@ -27,7 +27,7 @@ namespace irradiance
 class FinalGather
 {
 public:
-  /// To a frame, by the first `rounds` rounds of rays, see RayRounds; paths of further ones are
+  /// To a frame, by the first `rounds` rounds of rays, see FinalGatherScene::inRound(); paths of further ones are
   /// kept. `scene`: with the rays of the first. Throws Interrupted, and what
   /// FinalGatherPaths::follow() throws; after that nothing is kept.
   void update(const FinalGatherScene& scene, std::size_t rounds, Execution& execution);

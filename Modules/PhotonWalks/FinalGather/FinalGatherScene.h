@@ -46,7 +46,7 @@ struct FinalGatherScene
   bool asksOnLobes = false;
   /// Whether the noise of rays is told from that of what they read.
   bool tellsNoise = false;
-  std::uint32_t round = 0; ///< of rays, see RayRounds
+  std::uint32_t round = 0; ///< of rays, see inRound()
 
   /// Whether what a cell received on average is read at any of its points.
   bool isRead(const SceneCell& cell) const
@@ -58,6 +58,17 @@ struct FinalGatherScene
   /// The number of the first ray of a side with so many starts: all rounds before have as many rays
   /// as this one.
   std::uint32_t firstRay(std::uint32_t starts) const { return round == 0 ? 0 : starts * rays; }
+  /// This scene, which has the rays of the first round, with the rays of a later one. Each round
+  /// doubles the number of rays, goes on with the samples of its start, and is dealt to the
+  /// replicates in blocks of its own. So what the first rounds say does not depend on how many
+  /// follow.
+  FinalGatherScene inRound(std::size_t number) const
+  {
+    FinalGatherScene its = *this;
+    its.round = static_cast<std::uint32_t>(number);
+    its.rays = number == 0 ? rays : rays << (number - 1);
+    return its;
+  }
 };
 
 /// Starts whose rays are cast together: some thousand rays.
@@ -66,47 +77,29 @@ inline std::size_t startsTogether(const FinalGatherScene& scene)
   return std::max<std::size_t>(1, 4096 / scene.rays);
 }
 
-/**
- * The rays of a start, in rounds, of which each doubles their number. A round goes on with the
- * samples of its start, and is dealt to the replicates in blocks of its own. So what the first
- * rounds say does not depend on how many follow.
- */
-class RayRounds
+/// Rays of a start in its first `rounds` rounds, 1 or more. `first`: of the first round, > 0.
+inline std::uint64_t raysAfter(std::uint32_t first, std::size_t rounds)
 {
-public:
-  /// As many rounds as do not exceed `most` rays, one at least. `first`: rays of the first; > 0.
-  RayRounds(std::uint32_t first, std::uint32_t most)
-    : first_(first)
-  {
-    assert(first > 0);
-    while (after(most_ + 1) <= most)
-    {
-      ++most_;
-    }
-  }
+  return std::uint64_t{ first } << (rounds - 1);
+}
 
-  std::size_t most() const { return most_; }
-  /// Rays in the first `rounds` rounds, 1 or more.
-  std::uint64_t after(std::size_t rounds) const { return std::uint64_t{ first_ } << (rounds - 1); }
-
-  /// A round's part in the mean over the first `rounds`; a power of two.
-  static double share(std::size_t round, std::size_t rounds)
+/// As many rounds as do not exceed `most` rays, one at least.
+inline std::size_t roundsWithin(std::uint32_t first, std::uint32_t most)
+{
+  assert(first > 0);
+  std::size_t rounds = 1;
+  while (raysAfter(first, rounds + 1) <= most)
   {
-    return std::ldexp(1, static_cast<int>(round == 0 ? 1 : round) - static_cast<int>(rounds));
+    ++rounds;
   }
-  /// A scene with the rays of the first round, and those of a later one.
-  static FinalGatherScene inRound(const FinalGatherScene& scene, std::size_t round)
-  {
-    FinalGatherScene its = scene;
-    its.round = static_cast<std::uint32_t>(round);
-    its.rays = round == 0 ? scene.rays : scene.rays << (round - 1);
-    return its;
-  }
+  return rounds;
+}
 
-private:
-  std::uint32_t first_;
-  std::size_t most_ = 1;
-};
+/// A round's part in the mean over the first `rounds`; a power of two.
+inline double shareOfRound(std::size_t round, std::size_t rounds)
+{
+  return std::ldexp(1, static_cast<int>(round == 0 ? 1 : round) - static_cast<int>(rounds));
+}
 
 }
 
