@@ -141,10 +141,10 @@ void FinalGatherPaths::addSpecular(
     const PhongLobe& lobe = material.lobeOf(material.cellOfTriangle[id.triangle]);
     if (lobe.isMirror() ? !eye.isZero(0) : eye.dot(place.normal) > 0)
     {
-      const PathVertex vertex{ place, id, -eye };
+      const PathVertex vertex{ { place.clearPosition(), place.normal, id }, -eye };
       if (!lobe.isMirror())
       {
-        recordStart(scene, path, vertex, lobe);
+        recordStart(scene, path, place.position, vertex, lobe);
       }
       goOnSpecularly(scene, path, vertex, lobe, paths_, rays_);
     }
@@ -257,7 +257,8 @@ PathVertex FinalGatherPaths::vertexOf(
   const FinalGatherScene& scene, const Ray& ray, const Arrival& arrival)
 {
   const SurfacePoint place = scene.frame.scene.surfaceOf(arrival.hit, arrival.isFront());
-  return { place, arrival.hit.id, incomingDirection(place, ray.origin) };
+  return { { place.clearPosition(), place.normal, arrival.hit.id },
+    incomingDirection(place, ray.origin) };
 }
 
 void FinalGatherPaths::record(
@@ -284,12 +285,12 @@ void FinalGatherPaths::record(
   }
 }
 
-void FinalGatherPaths::recordStart(
-  const FinalGatherScene& scene, const Path& path, const PathVertex& from, const PhongLobe& lobe)
+void FinalGatherPaths::recordStart(const FinalGatherScene& scene, const Path& path,
+  const Vector3& place, const PathVertex& from, const PhongLobe& lobe)
 {
   PathSegment segment{};
-  segment.from = segment.to = inFloats(from.place.position);
-  segment.triangle = scene.frame.triangles.numberOf(from.id);
+  segment.from = segment.to = inFloats(place);
+  segment.triangle = scene.frame.triangles.numberOf(from.point.on);
   segment.asksLights = true;
   addStep(path, segment);
   const Bands light = lobeLight(scene, from, lobe, path.seed, path.number);
@@ -319,17 +320,16 @@ void FinalGatherPaths::recordMiss(const FinalGatherScene& scene, const Path& pat
 void FinalGatherPaths::askLights(
   const FinalGatherScene& scene, const Path& path, const PathVertex& at, const Arrival& arrival)
 {
-  const Material& material = *scene.frame.objects[at.id.object].material;
+  const Material& material = *scene.frame.objects[at.point.on.object].material;
   const std::uint64_t number =
     splitMix(path.seed ^ splitMix(std::uint64_t{ bounce_ } << 32 | path.number));
-  const LitPoint point{ at.place.clearPosition(), at.place.normal, at.id };
   const bool asksDiffuse = arrival.isUnknown && material.reflectsDiffusely(arrival.side.cell);
   Bands arriving{}, onLobe{};
   for (const PointDirectLight& lights : scene.lights)
   {
     if (asksDiffuse)
     {
-      arriving += lights.irradiance(point, number, scene.keepsPaths ? &shadows_ : nullptr);
+      arriving += lights.irradiance(at.point, number, scene.keepsPaths ? &shadows_ : nullptr);
     }
   }
   if (arrival.lobe)
@@ -339,10 +339,10 @@ void FinalGatherPaths::askLights(
   for (int band = 0; band < bands_; ++band)
   {
     const auto i = static_cast<std::size_t>(band);
-    double reflected = material.reflectanceOf(at.id.triangle, band) * arriving[i];
+    double reflected = material.reflectanceOf(at.point.on.triangle, band) * arriving[i];
     if (arrival.lobe)
     {
-      reflected += material.specularOf(at.id.triangle, band) * onLobe[i];
+      reflected += material.specularOf(at.point.on.triangle, band) * onLobe[i];
     }
     values_.push_back(path.weight[i] * reflected);
   }
@@ -390,10 +390,10 @@ void FinalGatherPaths::goOn(
     goOnSpecularly(scene, next, vertex, material.lobeOf(cell), next_, nextRays_);
     return;
   }
-  nextRays_.push_back({ vertex.place.clearPosition(),
+  nextRays_.push_back({ vertex.point.position,
     sampleHemisphere(
-      vertex.place.normal, sampleOf(path.seed, path.number, bounce_, Use::Direction)),
-    vertex.id });
+      vertex.point.normal, sampleOf(path.seed, path.number, bounce_, Use::Direction)),
+    vertex.point.on });
   next_.push_back(next);
 }
 
@@ -401,7 +401,7 @@ void FinalGatherPaths::goOnSpecularly(const FinalGatherScene& scene, Path path,
   const PathVertex& from, const PhongLobe& lobe, std::vector<Path>& paths,
   std::vector<Ray>& rays) const
 {
-  const Vector3& normal = from.place.normal;
+  const Vector3& normal = from.point.normal;
   const auto sample = [&](Use use) { return sampleOf(path.seed, path.number, bounce_, use); };
   const Vector3 direction = lobe.sample(normal, from.incoming,
     { sample(Use::Direction), sample(Use::Acceptance)[0], sample(Use::Compensation) });
@@ -410,7 +410,7 @@ void FinalGatherPaths::goOnSpecularly(const FinalGatherScene& scene, Path path,
     ? lobe.value(normal, direction, -from.incoming) * direction.dot(normal)
     : kInfinity;
   paths.push_back(path);
-  rays.push_back({ from.place.clearPosition(), direction, from.id });
+  rays.push_back({ from.point.position, direction, from.point.on });
 }
 
 }

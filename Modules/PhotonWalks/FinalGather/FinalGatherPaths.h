@@ -95,8 +95,8 @@ private:
   FollowedPaths run(const FinalGatherScene& scene);
   Path startOf(const FinalGatherScene& scene, std::uint64_t seed, std::uint32_t ray);
   /// Asks the lights on the lobe of a start.
-  void recordStart(
-    const FinalGatherScene& scene, const Path& path, const PathVertex& from, const PhongLobe& lobe);
+  void recordStart(const FinalGatherScene& scene, const Path& path, const Vector3& place,
+    const PathVertex& from, const PhongLobe& lobe);
   void cast(const FinalGatherScene& scene);
   static Arrival arrivalOf(const FinalGatherScene& scene, const Ray& ray, const Hit& hit);
   static PathVertex vertexOf(const FinalGatherScene& scene, const Ray& ray, const Arrival& arrival);
