@@ -292,7 +292,7 @@ ShadowRay PointDirectLight::shadowRayOf(
   const Contacts& contacts = frame_.contacts;
   const bool touches = contacts.has(arrival.ray.start) || contacts.has(point.on);
   return { inFloats(from), inFloats(to),
-    isStopped && hit ? frame_.triangles.numberOf(hit.id) : ShadowRay::kNone, isStopped,
+    isStopped && hit ? frame_.triangles.numberOf(hit.id) : SceneTriangles::kNone, isStopped,
     contacts.hasDynamic(arrival.ray.start) || contacts.hasDynamic(point.on) ||
       contacts.hasDynamic(hit.id) || (touches && isStopped && hit.id.isDynamic()) };
 }

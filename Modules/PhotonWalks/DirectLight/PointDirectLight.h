@@ -24,11 +24,9 @@ inline std::array<float, 3> inFloats(const Vector3& v)
 /// found.
 struct ShadowRay
 {
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
   std::array<float, 3> from;
   std::array<float, 3> to; ///< what stops it, or else the point
-  std::uint32_t triangle;  ///< the number of what stops it, or kNone
+  std::uint32_t triangle;  ///< the number of what stops it, or SceneTriangles::kNone
   bool isStopped : 1;      ///< its light does not arrive
   bool
     touchesMover : 1; ///< where it starts, ends or is stopped, what it meets depends on what can move

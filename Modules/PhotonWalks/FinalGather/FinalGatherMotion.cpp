@@ -96,7 +96,7 @@ bool FinalGatherMotion::mayChange(const PathSegment& segment) const
   }
   const Vector3 to = Eigen::Vector3f(segment.to.data()).cast<double>();
   return mayMeet(segment.from,
-    segment.triangle != PathSegment::kNone
+    segment.triangle != SceneTriangles::kNone
       ? to
       : Vector3(Eigen::Vector3f(segment.from.data()).cast<double>() + reach_ * to));
 }
@@ -106,7 +106,7 @@ bool FinalGatherMotion::mayChange(const ShadowRay& ray) const
 {
   return isAny_ &&
     (ray.touchesMover || isMoved(ray.triangle) ||
-      (ray.triangle == ShadowRay::kNone &&
+      (ray.triangle == SceneTriangles::kNone &&
         mayMeet(ray.from, Eigen::Vector3f(ray.to.data()).cast<double>())));
 }
 

@@ -58,7 +58,7 @@ private:
   /// Of its number; no triangle has not moved.
   bool isMoved(std::uint32_t triangle) const
   {
-    return triangle != PathSegment::kNone && triangle >= firstDynamic_ &&
+    return triangle != SceneTriangles::kNone && triangle >= firstDynamic_ &&
       hasMoved_[triangle - firstDynamic_] != 0;
   }
   /// Whether something that moved may be between two places.

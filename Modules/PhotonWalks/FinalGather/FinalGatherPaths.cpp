@@ -301,7 +301,7 @@ void FinalGatherPaths::recordStart(const FinalGatherScene& scene, const Path& pa
 void FinalGatherPaths::addStep(const Path& path, const PathSegment& segment)
 {
   steps_.push_back({ path.place, segment, values_.size(), shadows_.size() });
-  if (bands_ > 1 && segment.triangle != PathSegment::kNone)
+  if (bands_ > 1 && segment.triangle != SceneTriangles::kNone)
   {
     values_.insert(values_.end(), path.weight.begin(), path.weight.begin() + bands_);
   }
@@ -312,7 +312,7 @@ void FinalGatherPaths::recordMiss(const FinalGatherScene& scene, const Path& pat
   PathSegment segment{};
   segment.from = inFloats(ray.origin);
   segment.to = inFloats(ray.direction);
-  segment.triangle = PathSegment::kNone;
+  segment.triangle = SceneTriangles::kNone;
   segment.touchesMover = scene.frame.contacts.hasDynamic(ray.start);
   addStep(path, segment);
 }

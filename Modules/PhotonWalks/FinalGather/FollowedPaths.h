@@ -15,11 +15,9 @@ namespace irradiance
 /// A segment of a path, from one hit to the next.
 struct PathSegment
 {
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
   std::array<float, 3> from;
   std::array<float, 3> to; ///< where it hits; where it hits nothing, its direction
-  std::uint32_t triangle;  ///< the number of what it hits, or kNone
+  std::uint32_t triangle;  ///< the number of what it hits, or SceneTriangles::kNone
   bool isFront : 1;        ///< which side it hits
   bool isSpecular : 1;     ///< how it left its start
   bool isKnown : 1;        ///< what the side received is read

@@ -59,7 +59,7 @@ void add(const FinalGatherScene& scene, const FollowedPaths::Path& path, std::ui
   const double* value = path.values;
   Bands weight{ 1.0 / scene.raysOfReplicate() };
   for (const PathSegment* segment = path.begin;
-       segment != path.end && segment->triangle != PathSegment::kNone; ++segment)
+       segment != path.end && segment->triangle != SceneTriangles::kNone; ++segment)
   {
     if (bands > 1)
     {
