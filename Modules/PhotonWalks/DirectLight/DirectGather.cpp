@@ -12,11 +12,6 @@ namespace irradiance
 namespace
 {
 
-constexpr std::size_t kMostDynamic = 8;
-
-/// Of the sums of all dynamic parts together.
-constexpr std::size_t kMostCells = std::size_t{ 1 } << 19;
-
 CellShapes shapesOf(
   const Frame& frame, const LightTable& lights, CellPart part, const CancelPoint& cancelPoint)
 {
@@ -38,6 +33,8 @@ DirectLight& gathered(DirectLight& light, const Frame& frame, Execution& executi
 
 std::vector<CellPart> cellParts(const SceneObjects& objects)
 {
+  constexpr std::size_t kMostDynamic = 8;
+  constexpr std::size_t kMostCells = std::size_t{ 1 } << 19; // of the sums of all dynamic parts
   std::size_t cells = 1;
   for (std::uint32_t i = 0; i < objects.size(); ++i)
   {

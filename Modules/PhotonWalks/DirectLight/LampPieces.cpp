@@ -21,10 +21,6 @@ double spreadOf(const LampPieces::Node& node)
   return node.lamp.flux * node.lamp.radius * node.lamp.radius * node.lamp.cone.solidAngle();
 }
 
-/// Edges are not cut that are shorter than this part of the diagonal of all lamps: what is near the
-/// one end is near the other.
-constexpr double kShort = 0.02;
-
 }
 
 LampPieces::LampPieces(LightTable lights)
@@ -35,6 +31,8 @@ LampPieces::LampPieces(LightTable lights)
   {
     bounds.add(light.bounds());
   }
+  // What is near the one end of an edge that is shorter is near the other.
+  constexpr double kShort = 0.02; // of the diagonal of all lamps
   const double shortest = kShort * bounds.extent().norm();
   for (std::uint32_t i = 0; i < lights_.lights().size(); ++i)
   {

@@ -9,16 +9,6 @@
 namespace irradiance
 {
 
-namespace
-{
-
-/// Lamps are near within so many radii of a cell: two to three edges of a square.
-constexpr double kNearLamp = 2;
-/// The part of the light that may come from there.
-constexpr double kMuch = 0.1;
-
-}
-
 CellRoles::CellRoles(
   const SceneCells& cells, double walks, std::uint32_t rays, bool isEverywhere, bool readsCells)
   : cells_(cells)
@@ -34,6 +24,9 @@ CellRoles::CellRoles(
 std::vector<bool> unevenCells(const CellShapes& shapes, const CellRoles& roles,
   const WalkSets& walks, const CancelPoint& cancelPoint)
 {
+  // Lamps are near within so many radii of a cell: two to three edges of a square.
+  constexpr double kNear = 2;
+  constexpr double kMuch = 0.1; // the part of the light that may come from there
   std::vector<std::shared_ptr<const LampPieces>> lamps;
   std::vector<LampChoice> choices;
   for (const WalkSet& set : walks.sets())
@@ -55,7 +48,7 @@ std::vector<bool> unevenCells(const CellShapes& shapes, const CellRoles& roles,
   shapes.numbers().forEach([&](const SceneCell& cell) {
     const CellShape& shape = shapes[number++];
     pace.step();
-    const double reach = kNearLamp * shape.radius;
+    const double reach = kNear * shape.radius;
     const auto mayBeNear = [&](const LampChoice& choice) { return choice.distance(shape) < reach; };
     if (cell.object > 0 || !roles.isRead(cell) ||
       std::none_of(choices.begin(), choices.end(), mayBeNear))

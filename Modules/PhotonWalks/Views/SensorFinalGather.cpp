@@ -36,11 +36,6 @@ const IrradianceEngine& checked(const IrradianceEngine& engine)
   return engine;
 }
 
-bool contains(const Box& box, const Vector3& point)
-{
-  return (box.lower.array() <= point.array()).all() && (point.array() <= box.upper.array()).all();
-}
-
 }
 
 Box boundsBesideLamps(const SceneObjects& objects)
@@ -175,7 +170,8 @@ std::vector<SensorFinalGather::Rays::Start> SensorFinalGather::startsOf(
   {
     const Box& bounds = scene().frame.scene.bounds();
     Rays::Start start{ sensorPlace(bounds, near_, sensors[numbers[i]]) };
-    start.isInside = start.place && contains(bounds, start.place->position);
+    start.isInside = start.place && (bounds.lower.array() <= start.place->position.array()).all() &&
+      (start.place->position.array() <= bounds.upper.array()).all();
     // Outside of the bounds paths do not start at the sensor, but where the bounds say.
     if (motion && i < before.size() && start.place && before[i].place &&
       start.place->position == before[i].place->position &&

@@ -58,7 +58,18 @@ void StoredSensors::gather(const IrradianceEngine& engine, const std::vector<boo
   units_.resize(keepsRays ? units : 0);
   SlicedPass pass{ units, {} };
   pass.work = [&](std::size_t unit, const Deadline&) {
-    const std::vector<std::size_t> numbers = numbersOf(unit, together, isDone, keepsRays);
+    const std::size_t first = unit * together, end = std::min(first + together, sensors_.size());
+    const auto at = [&](std::size_t i) { return isDone.begin() + static_cast<std::ptrdiff_t>(i); };
+    // If rays are kept, all or none: those that are done find what they found before.
+    const bool takesAll = keepsRays && std::find(at(first), at(end), false) != at(end);
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = first; i < end; ++i)
+    {
+      if (takesAll || !isDone[i])
+      {
+        numbers.push_back(i);
+      }
+    }
     if (numbers.empty())
     {
       return true;
@@ -79,24 +90,6 @@ void StoredSensors::gather(const IrradianceEngine& engine, const std::vector<boo
   {
     origin_ = std::move(origin);
   }
-}
-
-/// If rays are kept, all or none: those that are done find what they found before.
-std::vector<std::size_t> StoredSensors::numbersOf(
-  std::size_t unit, std::size_t together, const std::vector<bool>& isDone, bool keepsRays) const
-{
-  const std::size_t first = unit * together, end = std::min(first + together, sensors_.size());
-  const auto at = [&](std::size_t i) { return isDone.begin() + static_cast<std::ptrdiff_t>(i); };
-  const bool takesAll = keepsRays && std::find(at(first), at(end), false) != at(end);
-  std::vector<std::size_t> numbers;
-  for (std::size_t i = first; i < end; ++i)
-  {
-    if (keepsRays ? takesAll : !isDone[i])
-    {
-      numbers.push_back(i);
-    }
-  }
-  return numbers;
 }
 
 std::vector<SensorFinalGather::Light> StoredSensors::lights() const
