@@ -181,7 +181,12 @@ FollowedPaths FinalGatherPaths::run(const FinalGatherScene& scene)
       }
       else
       {
-        recordMiss(scene, paths_[i], rays_[i]);
+        PathSegment segment{};
+        segment.from = inFloats(rays_[i].origin);
+        segment.to = inFloats(rays_[i].direction);
+        segment.triangle = SceneTriangles::kNone;
+        segment.touchesMover = scene.frame.contacts.hasDynamic(rays_[i].start);
+        addStep(paths_[i], segment);
       }
     }
     paths_.swap(next_);
@@ -305,16 +310,6 @@ void FinalGatherPaths::addStep(const Path& path, const PathSegment& segment)
   {
     values_.insert(values_.end(), path.weight.begin(), path.weight.begin() + bands_);
   }
-}
-
-void FinalGatherPaths::recordMiss(const FinalGatherScene& scene, const Path& path, const Ray& ray)
-{
-  PathSegment segment{};
-  segment.from = inFloats(ray.origin);
-  segment.to = inFloats(ray.direction);
-  segment.triangle = SceneTriangles::kNone;
-  segment.touchesMover = scene.frame.contacts.hasDynamic(ray.start);
-  addStep(path, segment);
 }
 
 void FinalGatherPaths::askLights(

@@ -102,7 +102,6 @@ private:
   static PathVertex vertexOf(const FinalGatherScene& scene, const Ray& ray, const Arrival& arrival);
   void record(
     const FinalGatherScene& scene, const Path& path, const Ray& ray, const Arrival& arrival);
-  void recordMiss(const FinalGatherScene& scene, const Path& path, const Ray& ray);
   /// Appends the numbers with which each step begins.
   void addStep(const Path& path, const PathSegment& segment);
   void askLights(

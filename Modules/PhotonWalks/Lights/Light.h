@@ -69,11 +69,10 @@ struct LightPlace
   /// rounding would tell the side; what lies in the plane of a light gets nothing of it.
   double perSteradian(const SurfacePoint& to) const
   {
-    const auto isClear = [&] {
-      return isInFront(to.position) &&
-        std::abs(to.normal.dot(to.position - point.position)) > 4 * to.clearance;
-    };
-    return inAir ? 1 : isClear() ? AreaLight::kPerSteradian : 0;
+    const bool isClear = inAir ||
+      (isInFront(to.position) &&
+        std::abs(to.normal.dot(to.position - point.position)) > 4 * to.clearance);
+    return inAir ? 1 : isClear ? AreaLight::kPerSteradian : 0;
   }
   /// Whether light may leave towards a place, which rounding does not tell.
   bool isInFront(const Vector3& to) const
