@@ -37,9 +37,9 @@ public:
   /// Which lights are about as bright as what the scene sends that they light: warm walls of an
   /// oven, a room that shines everywhere. Light from everywhere is found by any ray, and cells that
   /// looked for it would choose among thousands of lights that bring little each. So walks start at
-  /// them, and rays of a final gather count what they emit where they meet it. What the lights light
-  /// themselves counts: to rays a lamp in a hut is bright, however strong the sun is outside.
-  /// `lights`: of the table. `reflected`: the mean part of static cells.
+  /// them, and rays of a final gather count what they emit. What the lights light themselves
+  /// counts: to rays a lamp in a hut is bright, however strong the sun is outside. `lights`: of the
+  /// table. `reflected`: the mean part of static cells.
   std::vector<bool> dimLights(
     const SceneObjects& objects, const LightTable& lights, double reflected) const;
   /// The part of what arrives at static triangles that they reflect and that arrives at some again,

@@ -28,8 +28,7 @@ struct ShadowRay
   std::array<float, 3> to; ///< what stops it, or else the point
   std::uint32_t triangle;  ///< the number of what stops it, or SceneTriangles::kNone
   bool isStopped : 1;      ///< its light does not arrive
-  bool
-    touchesMover : 1; ///< where it starts, ends or is stopped, what it meets depends on what can move
+  bool touchesMover : 1;   ///< what it meets at an end depends on what can move
 };
 
 /**

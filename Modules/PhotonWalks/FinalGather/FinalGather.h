@@ -27,8 +27,8 @@ namespace irradiance
 class FinalGather
 {
 public:
-  /// To a frame, by the first `rounds` rounds of rays, see FinalGatherScene::inRound(); paths of further ones are
-  /// kept. `scene`: with the rays of the first. Throws Interrupted, and what
+  /// To a frame, by the first `rounds` rounds of rays, see FinalGatherScene::inRound(); paths of
+  /// further ones are kept. `scene`: with the rays of the first. Throws Interrupted, and what
   /// FinalGatherPaths::follow() throws; after that nothing is kept.
   void update(const FinalGatherScene& scene, std::size_t rounds, Execution& execution);
   /// Forgets the paths of all but the first rounds.

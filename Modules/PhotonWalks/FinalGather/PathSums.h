@@ -15,8 +15,8 @@ namespace irradiance
  *
  * From a cell that is read: what its side received, times its reflectance. From any other cell:
  * what came to it straight from the lights that cells look for. A lamp that is met brings nothing,
- * as that light is direct; but foundLamps() count, and behind a specular reflection all do, as no sum
- * knows of it; with a weight if it was asked there as well.
+ * as that light is direct; but foundLamps() count, and behind a specular reflection all do, as no
+ * sum knows of it; with a weight if it was asked there as well.
  */
 class PathSums
 {

@@ -53,7 +53,8 @@ class OutgoingRadiance
 {
 public:
   /// Prepares what does not depend on the eye, in the present frame of an engine, which must not
-  /// change meanwhile. `samples`: of a specular cell; rounded up to a multiple of the replicates. Throws Interrupted.
+  /// change meanwhile. `samples`: of a specular cell; rounded up to a multiple of the replicates.
+  /// Throws Interrupted.
   OutgoingRadiance(const IrradianceEngine& engine, std::uint32_t samples, Execution& execution);
 
   /// Of a cell; 0 if it has no area. What is emitted has no error; that of what is reflected is not

@@ -21,8 +21,8 @@ struct WalkPath
   std::vector<Vector3> points;
   bool escapes;
   bool isStale; ///< part of it is no longer valid, see StaleWalks
-  std::size_t
-    firstRepaired; ///< the first point that was shot again, see WalkSet::repaired(); else their number
+  /// The first point that was shot again, see WalkSet::repaired(); else their number.
+  std::size_t firstRepaired;
 };
 
 /**
