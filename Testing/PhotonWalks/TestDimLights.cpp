@@ -2,7 +2,7 @@
 // Lights that are no brighter than the scene are shot, and found by rays; all others are looked
 // for.
 
-#include "DirectLight/DimLights.h"
+#include "DirectLight/FirstHits.h"
 #include "DirectRuns.h"
 #include "Surfaces/MeanReflectance.h"
 
@@ -37,11 +37,12 @@ void addPanel(ObjectBuilder& room, double exitance)
 std::pair<double, double> partsOf(const SceneObjects& objects)
 {
   const LightTable lights(objects, 1000);
-  const DimLights dim(objects, FirstHits(objects, lights), meanReflectance(objects.staticObject));
+  const std::vector<bool> areDim =
+    FirstHits(objects, lights).dimLights(objects, lights, meanReflectance(objects.staticObject));
   std::pair<double, double> flux;
-  for (const Light& light : lights.lights())
+  for (std::size_t i = 0; i < areDim.size(); ++i)
   {
-    (dim.contains(light) ? flux.first : flux.second) += light.totalFlux();
+    (areDim[i] ? flux.first : flux.second) += lights[i].totalFlux();
   }
   return flux;
 }

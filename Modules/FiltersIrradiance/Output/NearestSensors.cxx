@@ -3,7 +3,7 @@
 
 #include "Data/ArrayNames.h"
 #include "Photons/NearestEstimate.h"
-#include "Views/SensorDirectLight.h"
+#include "Views/SensorFinalGather.h"
 
 #include <limits>
 #include <optional>
@@ -31,7 +31,7 @@ std::string NearestSensors::measure(const SensorRun& run, const Settings& settin
     settings.maximumDistance > 0 ? settings.maximumDistance : usualDistance(nearest);
   const double maximumRadius =
     settings.maximumRadius > 0 ? settings.maximumRadius : usualRadius(nearest, settings.photons);
-  const SensorDirectLight directLight(engine);
+  const std::deque<PointDirectLight> lights = gatheredLightsOf(engine);
   std::vector<char> areLost(run.sensors.size());
   run.forEachUnit(run.sensors.size(), run.execution, [&](std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i)
@@ -42,7 +42,7 @@ std::string NearestSensors::measure(const SensorRun& run, const Settings& settin
         ? nearestEstimate(nearest, *foot, settings.photons, maximumRadius)
         : NearestEstimate{ {}, 0, kUnknown, 0 };
       areLost[i] = foot ? 0 : 1;
-      const Bands direct = foot ? directLight.irradiance(*foot, i) : Bands{};
+      const Bands direct = foot ? directLightAt(*foot, i, lights, engine.scene()) : Bands{};
       for (int band = 0; band < irradiances_->GetNumberOfComponents(); ++band)
       {
         irradiances_->SetTypedComponent(point, band,

@@ -160,15 +160,6 @@ Bands DirectLight::variance() const
   return sum;
 }
 
-/// Whether what a sample starts or ends at has a contact that a motion may have made: then a hit is
-/// decided otherwise than before, also far from what moved.
-bool DirectLight::touchesDynamic(const Frame& frame, const DirectSample& sample) const
-{
-  return sample.part > 0 &&
-    (frame.contacts.hasDynamic(lamps_.lights()[sample.light].triangle()) ||
-      frame.contacts.hasDynamic(frame.triangles.idOf(sample.triangle)));
-}
-
 /// A ray ends where its length is 1.
 std::vector<DirectLight::View> DirectLight::viewsOf(
   const Frame& frame, const std::vector<std::uint32_t>& samples) const
@@ -219,7 +210,10 @@ bool DirectLight::mayChange(
   const DirectSample& sample = samples_[number];
   if (view == kFree)
   {
-    return touchesDynamic(frame, sample) ||
+    // A contact that a motion may have made at either end decides a hit otherwise than before, also
+    // far from what moved.
+    return frame.contacts.hasDynamic(lamps_.lights()[sample.light].triangle()) ||
+      frame.contacts.hasDynamic(frame.triangles.idOf(sample.triangle)) ||
       std::any_of(
         boxes.begin(), boxes.end(), [&](const Box& box) { return mayTouch(sample, box); });
   }

@@ -9,7 +9,7 @@ namespace irradiance
 {
 
 /// From how many rounds an estimate is made: of walks, and of rays from cells that gather, see
-/// RayRounds.
+/// FinalGatherScene::inRound().
 struct EstimateRounds
 {
   std::size_t walks = 1, rays = 1;

@@ -5,7 +5,6 @@
 #include "Estimates/CellEstimator.h"
 #include "Estimates/PhotonShares.h"
 #include "FinalGather/FinalGather.h"
-#include "FinalGather/RayRounds.h"
 
 #include <optional>
 
@@ -54,8 +53,11 @@ public:
     return { sums_, sums_.plan(), 1, walks().largestStart(), this };
   }
 
-  std::size_t mostRayRounds() const override { return rays().most(); }
-  std::uint64_t numberOfRays() const override { return rays().after(rounds_.rays); }
+  std::size_t mostRayRounds() const override
+  {
+    return roundsWithin(firstRays(), settings_.mostRays);
+  }
+  std::uint64_t numberOfRays() const override { return raysAfter(firstRays(), rounds_.rays); }
   std::int64_t raySegments() const override { return gather_.segments(); }
   void dropRayRounds(std::size_t kept) override { gather_.dropRounds(keepsPaths() ? kept : 0); }
   std::size_t bytes() const override
@@ -67,7 +69,7 @@ public:
 private:
   double photonShare(const CellSide& cell) const override;
   std::optional<double> rayVariance(const CellSide& cell, int band) const override;
-  RayRounds rays() const;
+  std::uint32_t firstRays() const;
   /// For frames to come.
   bool keepsPaths() const
   {

@@ -2,7 +2,7 @@
 #ifndef irradiance_WalkStages_h
 #define irradiance_WalkStages_h
 
-#include "DirectLight/DirectRounds.h"
+#include "DirectLight/DirectGather.h"
 #include "Lights/LightTable.h"
 #include "Meshes/SurfacePoint.h"
 #include "Sampling/BounceKeys.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Walks/LightSurvey.h"
 
-#include "DirectLight/DimLights.h"
 #include "DirectLight/DirectPilot.h"
+#include "DirectLight/FirstHits.h"
 #include "Repair/SceneChange.h"
 #include "Surfaces/MeanReflectance.h"
 
@@ -20,7 +20,8 @@ namespace irradiance
 namespace
 {
 
-std::vector<Known> knownBy(const WalkSource& source, const FirstHits& hits, const DimLights& dim)
+std::vector<Known> knownBy(
+  const WalkSource& source, const FirstHits& hits, const std::vector<bool>& areDim)
 {
   const std::vector<Light>& lights = source.lights.lights();
   std::vector<Known> known(lights.size(), Known::Gathered);
@@ -28,9 +29,7 @@ std::vector<Known> knownBy(const WalkSource& source, const FirstHits& hits, cons
   const auto flux = [&](Known part) -> double& { return sums[static_cast<std::size_t>(part)]; };
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
-    known[i] = dim.contains(lights[i]) ? Known::Dim
-      : hits.nearLights()[i]           ? Known::Shot
-                                       : Known::Gathered;
+    known[i] = areDim[i] ? Known::Dim : hits.nearLights()[i] ? Known::Shot : Known::Gathered;
     flux(known[i]) += lights[i].totalFlux();
   }
   // No part is to be worth less than a walk of each replicate.
@@ -55,11 +54,11 @@ std::vector<Known> knownBy(const WalkSource& source, const FirstHits& hits, cons
   return known;
 }
 
-LightSurvey::Group groupOf(const SceneObjects& objects, const WalkSource& source,
-  const FirstHits& hits, const DimLights& dim, double reflected)
+LightSurvey::Group groupOf(
+  const SceneObjects& objects, const WalkSource& source, const FirstHits& hits, double reflected)
 {
   LightSurvey::Group group;
-  group.known = knownBy(source, hits, dim);
+  group.known = knownBy(source, hits, hits.dimLights(objects, source.lights, reflected));
   const LightTable gathered = group.lightsOf(source, Known::Gathered);
   if (gathered.isEmpty())
   {
@@ -68,8 +67,8 @@ LightSurvey::Group groupOf(const SceneObjects& objects, const WalkSource& source
   group.lamps = std::make_shared<const LampPieces>(gathered);
   const DirectPilot pilot(objects, *group.lamps);
   group.variance = pilot.variance();
-  const DirectPilot::Sampling sampling = pilot.best({ hits.arrived() / source.lights.flux(),
-    hits.returned(), LightSurvey::powerOfStart(reflected) });
+  const DirectPilot::Sampling sampling = pilot.best(
+    hits.arrived() / source.lights.flux(), hits.returned(), LightSurvey::powerOfStart(reflected));
   group.cost = sampling.cost;
   group.areHardToFind = sampling.cost >= 1;
   group.walksPerSample = sampling.walksPerSample;
@@ -144,8 +143,7 @@ LightSurvey::LightSurvey(const SceneObjects& objects, const std::vector<WalkSour
   }
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
-    const DimLights dim(objects, hits[i], reflected);
-    groups_.push_back(groupOf(objects, sources[i], hits[i], dim, reflected));
+    groups_.push_back(groupOf(objects, sources[i], hits[i], reflected));
   }
   unevenness_ = unevennessOf(sources, hits, groups_);
 }
@@ -211,7 +209,7 @@ const std::vector<WalkSource>& FrameLights::sources(const SceneObjects& objects,
   {
     sources_.clear();
     survey_.reset();
-    sources_ = sourcesOf(objects, plan, LightWalls(objects, sides, cancelPoint));
+    sources_ = sourcesOf(objects, plan, lightWallsOf(objects, sides, cancelPoint));
     objects_ = objects;
     plan_ = plan;
   }
@@ -264,7 +262,8 @@ std::vector<WalkSource> partsOf(const WalkSource& source, const LightSurvey::Gro
   {
     WalkSource gathered{ group.lightsOf(source, Known::Gathered), source.plan, CellPart{} };
     gathered.lamps = group.lamps;
-    gathered.density = { group.walksPerSample, fewestSamples.atVariance(group.variance) };
+    gathered.walksPerSample = group.walksPerSample;
+    gathered.fewest = fewestSamples.atVariance(group.variance);
     parts.push_back(std::move(gathered));
   }
   if (parts.size() > 1 || !parts.front().cells)
@@ -315,7 +314,7 @@ std::vector<WalkSource> directSourcesOf(const SceneObjects& objects,
       all.back().quantaPerStart = std::max<std::int64_t>(1,
         std::llround(LightSurvey::powerOfStart(reflected) *
           static_cast<double>(source.lights.quantaPerWalk())));
-      all.back().density.fewest = part.isStatic() ? fewestSamples.asMany() : source.density.fewest;
+      all.back().fewest = part.isStatic() ? fewestSamples.asMany() : source.fewest;
       all.back().firstWalk = end;
       end += part.isStatic() ? ofStatic : (share - ofStatic) / std::max(1u, others);
     }

@@ -49,9 +49,9 @@ void WalkSet::start(const Frame& frame, Execution& execution)
   areCellsRenumbered_ = false;
   if (source_.cells && !lights().isEmpty())
   {
-    gathered_ = std::make_unique<DirectRounds>(DirectRounds::Settings{ *source_.cells,
-      Replicates(source_.plan.replicates().count(), source_.firstWalk), source_.quantaPerStart,
-      source_.density, settings_.seed });
+    gathered_ = std::make_unique<DirectRounds>(
+      DirectGather::Settings{ *source_.cells, source_.plan.replicates().count(), source_.firstWalk,
+        source_.quantaPerStart, source_.walksPerSample, source_.fewest, settings_.seed });
     gatherers = { source_.cells->first, source_.cells->end };
   }
   sums_ = CellSums(frame.objects, plan(), 0, gatherers);
@@ -102,7 +102,7 @@ void WalkSet::beginRound(bool isStored, const Frame& frame, Execution& execution
     gathered_->append(frame, *source_.lamps, walks.endWalk - walks.firstWalk, beginning);
     history_.extend(plan());
     sums_.setRounds(plan(), cancelPoint);
-    gathered_->addTo(totals(), round, cancelPoint);
+    gathered_->rounds()[round]->addTo(totals(), 1, cancelPoint);
   }
   else
   {

@@ -193,7 +193,7 @@ private:
   /// The rest of follow(): what was gathered is up to date.
   void followWalks(const std::vector<bool>& moved, const Frame& frame, PhotonChanges* changes,
     Execution& execution);
-  DirectRounds::Totals totals() { return { sums_, balance_, blocks_ }; }
+  DirectGather::Totals totals() { return { sums_, balance_, blocks_ }; }
   /// What a motion may change, to be looked for among stored segments.
   BounceScan scanOf(const std::vector<bool>& moved, const Frame& frame) const;
   /// An arena for pages of so many bands: the one of before, if it will do.

@@ -33,7 +33,6 @@
 #include "Rivals/PlainGatherer.h"
 #include "Scenes/PlainRoom.h"
 #include "Scenes/SurfaceSensors.h"
-#include "Views/SensorDirectLight.h"
 #include "Views/SensorFinalGather.h"
 #include "Views/StoredSensors.h"
 
@@ -244,14 +243,14 @@ public:
         engine.collectPhotons(execution);
         engine.prepareSurfaces(execution);
         const NearestPhotons nearest = engine.nearestPhotons();
-        const SensorDirectLight direct(engine);
+        const std::deque<PointDirectLight> lights = gatheredLightsOf(engine);
         for (std::size_t i = 0; i < sensors_.size(); ++i)
         {
           const std::optional<Foot> foot = nearest.footOf(sensors_[i], usualDistance(nearest));
           const NearestEstimate estimate =
             nearestEstimate(nearest, foot.value(), photons, usualRadius(nearest, photons));
-          values[static_cast<Eigen::Index>(i)] =
-            engine.watts(estimate.power[0]) / estimate.area + direct.irradiance(*foot, i)[0];
+          values[static_cast<Eigen::Index>(i)] = engine.watts(estimate.power[0]) / estimate.area +
+            directLightAt(*foot, i, lights, engine.scene())[0];
         }
       });
   }
