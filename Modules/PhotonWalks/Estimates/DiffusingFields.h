@@ -38,8 +38,7 @@ template <class DiffusionOf, class Begin, class End>
 void diffuse(std::vector<DiffusingFields>& all, const DiffusionOf& diffusionOf, const Begin& begin,
   const End& end, Execution& execution)
 {
-  SlicedPass pass{ all.size(), {} };
-  pass.work = [&](std::size_t i, const Deadline& deadline) {
+  runSliced(all.size(), execution, [&](std::size_t i, const Deadline& deadline) {
     DiffusingFields& fields = all[i];
     const CellDiffusion& diffusion = diffusionOf(fields.object);
     if (fields.quanta.empty())
@@ -58,8 +57,7 @@ void diffuse(std::vector<DiffusingFields>& all, const DiffusionOf& diffusionOf, 
     end(fields);
     fields.quanta = fields.before = {};
     return true;
-  };
-  pass.run(execution);
+  });
 }
 
 }

@@ -113,19 +113,17 @@ std::vector<ErrorEstimate::Part> ErrorEstimate::partsOf(
     }
   });
   constexpr std::size_t kPartsPerUnit = 4096;
-  SlicedPass pass{ (parts.size() + kPartsPerUnit - 1) / kPartsPerUnit, {} };
-  pass.work = [&](std::size_t unit, const Deadline&) {
-    for (std::size_t i = unit * kPartsPerUnit;
-         i < std::min((unit + 1) * kPartsPerUnit, parts.size()); ++i)
-    {
-      for (int band = 0; band < sums_.bands(); ++band)
+  forEachSliced(
+    (parts.size() + kPartsPerUnit - 1) / kPartsPerUnit, execution, [&](std::size_t unit) {
+      for (std::size_t i = unit * kPartsPerUnit;
+           i < std::min((unit + 1) * kPartsPerUnit, parts.size()); ++i)
       {
-        parts[i].received[static_cast<std::size_t>(band)] = received(parts[i].cell, band);
+        for (int band = 0; band < sums_.bands(); ++band)
+        {
+          parts[i].received[static_cast<std::size_t>(band)] = received(parts[i].cell, band);
+        }
       }
-    }
-    return true;
-  };
-  pass.run(execution);
+    });
   return parts;
 }
 

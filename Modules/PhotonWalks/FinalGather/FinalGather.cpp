@@ -37,15 +37,12 @@ void FinalGather::update(const FinalGatherScene& scene, std::size_t rounds, Exec
   {
     followed.push_back(RayRounds::inRound(scene, round));
   }
-  SlicedPass pass{ units, {} };
-  pass.work = [&](std::size_t unit, const Deadline&) {
+  forEachSliced(units, execution, [&](std::size_t unit) {
     if (unit % ranks.count() == ranks.rank())
     {
       gather(followed, rounds, motion ? &*motion : nullptr, unit);
     }
-    return true;
-  };
-  pass.run(execution);
+  });
   segments_ = read_;
   if (ranks.areSeveral())
   {

@@ -24,11 +24,10 @@ void passOver(const WalkHistory& history, Execution& execution, const Work& work
 {
   constexpr std::size_t kBlocks = 32; // verified and repaired together
   const std::size_t all = history.size();
-  SlicedPass pass{ (all + kBlocks - 1) / kBlocks, {} };
-  pass.work = [&](std::size_t unit, const Deadline& deadline) {
-    return work(unit * kBlocks, std::min((unit + 1) * kBlocks, all), unit, deadline);
-  };
-  pass.run(execution);
+  runSliced(
+    (all + kBlocks - 1) / kBlocks, execution, [&](std::size_t unit, const Deadline& deadline) {
+      return work(unit * kBlocks, std::min((unit + 1) * kBlocks, all), unit, deadline);
+    });
 }
 
 }
@@ -137,11 +136,9 @@ void WalkRepair::repair(StaleWalks& stale, TimeBudget* budget, Execution& execut
     const double from = done / all;
     done += static_cast<double>(like.size);
     ProgressSpan span(execution, from, done / all);
-    SlicedPass pass{ parts.size(), {} };
-    pass.work = [&](std::size_t i, const Deadline& deadline) {
+    runSliced(parts.size(), span, [&](std::size_t i, const Deadline& deadline) {
       return work(parts[i], stale, budget, deadline);
-    };
-    pass.run(span);
+    });
   }
   for (std::size_t block = 0; block < state_.history.size(); ++block)
   {

@@ -56,12 +56,11 @@ void StoredSensors::gather(const IrradianceEngine& engine, const std::vector<boo
     units_.clear();
   }
   units_.resize(keepsRays ? units : 0);
-  SlicedPass pass{ units, {} };
-  pass.work = [&](std::size_t unit, const Deadline&) {
+  forEachSliced(units, gathering, [&](std::size_t unit) {
     const std::vector<std::size_t> numbers = numbersOf(unit, together, isDone, keepsRays);
     if (numbers.empty())
     {
-      return true;
+      return;
     }
     SensorFinalGather::Rays none;
     std::int64_t cast = 0;
@@ -72,9 +71,7 @@ void StoredSensors::gather(const IrradianceEngine& engine, const std::vector<boo
       replicates_[numbers[i]] = std::move(found[i]);
     }
     cast_ += cast;
-    return true;
-  };
-  pass.run(gathering);
+  });
   if (keepsRays)
   {
     origin_ = std::move(origin);
