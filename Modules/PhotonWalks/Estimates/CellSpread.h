@@ -2,9 +2,8 @@
 #ifndef irradiance_CellSpread_h
 #define irradiance_CellSpread_h
 
-#include "Estimates/PhotonShares.h"
+#include "Estimates/ErrorEstimate.h"
 #include "Estimates/SurfaceDiffusion.h"
-#include "Tally/CellSums.h"
 
 #include <memory>
 #include <vector>
