@@ -151,8 +151,8 @@ public:
   Power power(std::uint32_t slot) const;
   std::uint8_t tag(std::uint32_t slot) const { return pageOf(slot).tags[slot % BouncePage::kSize]; }
 
-  /// Calls visit(slot) for a segment and all after it of its walk, in order. Those whose triangle()
-  /// is not kNone are contributions to a cell, see Contribution.h. The visit must not remove any.
+  /// Calls visit(slot) for a segment and all after it of its walk, in order. The visit must not
+  /// remove any.
   template <class Visit>
   void forEachFrom(std::uint32_t slot, const Visit& visit) const
   {

@@ -4,7 +4,6 @@
 
 #include "History/BounceBlock.h"
 #include "History/BounceScan.h"
-#include "History/Contribution.h"
 #include "History/HiddenHits.h"
 #include "History/Photon.h"
 #include "Sampling/DealtBlocks.h"
@@ -115,23 +114,6 @@ public:
     return blocks_[place.block].isFront(place.slot);
   }
 
-  /// Calls visit(Contribution) for each segment of a walk that hits something, in order: from this
-  /// one up to bounce `end`.
-  template <class Visit>
-  void forEachContribution(const SegmentPlace& first, const SegmentRef& segment, std::uint32_t end,
-    const Visit& visit) const
-  {
-    const BounceBlock& block = blocks_[first.block];
-    SegmentRef now = segment;
-    for (std::uint32_t slot = first.slot; slot != BounceBlock::kNone && now.bounce < end;
-         slot = block.next(slot), ++now.bounce)
-    {
-      if (const Hit hit = hitAt(block, slot))
-      {
-        visit(Contribution{ now, hit, block.isFront(slot), block.power(slot) });
-      }
-    }
-  }
   /// Calls visit(Photon) for each photon that segments of a walk brought, from this one on, in
   /// order.
   template <class Visit>

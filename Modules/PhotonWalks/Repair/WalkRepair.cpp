@@ -52,7 +52,7 @@ std::unique_ptr<RepairWork> WalkRepair::take()
 {
   std::unique_ptr<RepairWork> work = state_.pool.take();
   work->batch.begin(state_.tracer, &state_.history);
-  work->stale.hidden.clear();
+  work->verifier.hidden.clear();
   work->firsts.clear();
   work->changes.gone.clear();
   work->changes.arrived.clear();
@@ -69,11 +69,11 @@ void WalkRepair::verifyAndRepair(Execution& execution)
       {
         open[unit] = take();
         const Stopwatch stopwatch;
-        state_.verifier.find(first, end, {}, open[unit]->verifier, open[unit]->stale);
+        state_.verifier.find(first, end, {}, open[unit]->verifier, open[unit]->batch.front());
         const double seconds = stopwatch.seconds();
         const std::lock_guard<std::mutex> lock(mutex_);
         figures_.verifySeconds += seconds;
-        figures_.invalidWalks += static_cast<std::int64_t>(open[unit]->stale.rows.size);
+        figures_.invalidWalks += static_cast<std::int64_t>(open[unit]->batch.front().size);
       }
       const Stopwatch stopwatch;
       const bool isDone = shoot(*open[unit], deadline);
@@ -97,8 +97,8 @@ void WalkRepair::verifyAndMark(StaleWalks& stale, Execution& execution)
   passOver(state_.history, execution,
     [&](std::size_t first, std::size_t end, std::size_t, const Deadline&) {
       std::unique_ptr<RepairWork> work = take();
-      state_.verifier.find(first, end, known, work->verifier, work->stale);
-      const WalkFront& rows = work->stale.rows;
+      state_.verifier.find(first, end, known, work->verifier, work->batch.front());
+      const WalkFront& rows = work->batch.front();
       for (std::size_t row = 0, next = 0; row < rows.size; row = next)
       {
         work->firsts.clear();
@@ -232,7 +232,7 @@ std::unique_ptr<RepairWork> WalkRepair::begin(Unit& unit, StaleWalks& stale, Tim
   }
   stale.take(deposits);
   unit.next += unit.walks;
-  state_.verifier.castAgain(places, work->verifier, work->stale);
+  state_.verifier.castAgain(places, work->verifier, work->batch.front());
   unit.seconds = budget ? budget->now() - start : 0;
   return work;
 }
@@ -240,7 +240,7 @@ std::unique_ptr<RepairWork> WalkRepair::begin(Unit& unit, StaleWalks& stale, Tim
 void WalkRepair::removeOld(RepairWork& work, FrontTally& tally)
 {
   constexpr std::size_t kAhead = 12;
-  WalkFront& rows = work.stale.rows;
+  WalkFront& rows = work.batch.front();
   const int bands = state_.history.bands();
   StageClock clock;
   Power starting;
@@ -276,7 +276,7 @@ void WalkRepair::removeOld(RepairWork& work, FrontTally& tally)
 
 void WalkRepair::remove(RepairWork& work, std::size_t row)
 {
-  const WalkFront& rows = work.stale.rows;
+  const WalkFront& rows = work.batch.front();
   const SegmentPlace place{ rows.block[row], rows.slot[row] };
   const SegmentRef first{ rows.walk[row], rows.bounce[row] };
   if (state_.changes || state_.tails)
@@ -300,11 +300,11 @@ bool WalkRepair::shoot(RepairWork& work, const Deadline& deadline)
   {
     constexpr std::size_t kUsualTail = 8; // photons that go and come
     FrontTally tally(state_.tracer.triangles(), state_.sums, balance, state_.tracer.powerPerWalk(),
-      kUsualTail * work.stale.rows.size);
+      kUsualTail * work.batch.front().size);
     if (!std::exchange(work.hasBegun, true))
     {
       removeOld(work, tally);
-      work.batch.resume(state_.changes || !work.stale.hidden.empty());
+      work.batch.resume(state_.changes || !work.verifier.hidden.empty());
     }
     isDone = work.batch.run(tally, [&] { return deadline.hasPassed(); });
   }
@@ -315,11 +315,11 @@ bool WalkRepair::shoot(RepairWork& work, const Deadline& deadline)
 void WalkRepair::finish(std::unique_ptr<RepairWork>& work)
 {
   const std::vector<SegmentPlace>& places = work->batch.places();
-  for (std::size_t i = 0; i < work->stale.hidden.size(); ++i)
+  for (std::size_t i = 0; i < work->verifier.hidden.size(); ++i)
   {
-    if (work->stale.hidden[i].isKnown())
+    if (work->verifier.hidden[i].isKnown())
     {
-      state_.history.hidden(places[i].block).set(places[i].slot, work->stale.hidden[i]);
+      state_.history.hidden(places[i].block).set(places[i].slot, work->verifier.hidden[i]);
     }
   }
   for (std::size_t i = 0; state_.changes && i < places.size(); ++i)
