@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/StaleWalks.h"
 
+#include "Sampling/ElementaryFunctions.h"
+
 #include <algorithm>
-#include <cstring>
 #include <functional>
 #include <limits>
 #include <map>
@@ -19,10 +20,7 @@ constexpr std::uint32_t kAll = std::numeric_limits<std::uint32_t>::max(); // seg
 std::uint32_t powerClassOf(const Power& power)
 {
   const auto all = static_cast<float>(power[0] + power[1] + power[2]);
-  std::uint32_t bits = 0;
-  static_assert(sizeof(bits) == sizeof(all), "exponent and mantissa are read from the bits");
-  std::memcpy(&bits, &all, sizeof(bits));
-  return bits >> 21;
+  return bitCast<std::uint32_t>(all) >> 21;
 }
 
 }

@@ -3,7 +3,7 @@
 
 #include "Geometry/Pi.h"
 #include "Sampling/DirectionSampling.h"
-#include "Sampling/PowUnit.h"
+#include "Sampling/ElementaryFunctions.h"
 #include "Surfaces/LobeLoss.h"
 
 #include <algorithm>
