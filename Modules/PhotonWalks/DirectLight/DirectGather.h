@@ -4,7 +4,7 @@
 
 #include "DirectLight/CellPart.h"
 #include "DirectLight/WalkStarts.h"
-#include "Sampling/DealtBlocks.h"
+#include "Sampling/WalkPlan.h"
 #include "Tally/PowerBalance.h"
 
 namespace irradiance

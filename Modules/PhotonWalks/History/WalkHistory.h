@@ -3,18 +3,38 @@
 #define irradiance_WalkHistory_h
 
 #include "History/BounceBlock.h"
-#include "History/BounceScan.h"
 #include "History/HiddenHits.h"
-#include "History/Photon.h"
-#include "Sampling/DealtBlocks.h"
 #include "Sampling/WalkPlan.h"
 #include "Scene/TriangleNumbers.h"
 
+#include <array>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace irradiance
 {
+
+/// A photon and where it arrived.
+struct Photon
+{
+  SegmentRef reference;
+  TriangleId id;
+  std::array<float, 2> weights; ///< see Hit
+  bool isFront;                 ///< the side that was hit
+};
+
+/// Photons that left the history or came to it, in any order.
+struct PhotonChanges
+{
+  std::vector<Photon> gone, arrived;
+
+  void add(const PhotonChanges& others)
+  {
+    gone.insert(gone.end(), others.gone.begin(), others.gone.end());
+    arrived.insert(arrived.end(), others.arrived.begin(), others.arrived.end());
+  }
+};
 
 /// Where a segment is stored: the block, counted in its history, and the slot there.
 struct SegmentPlace
@@ -71,9 +91,6 @@ public:
 
   /// Sets the kinds of these hits, see BounceColumns; kContact is for the caller to set.
   void setKinds(const std::uint32_t* triangles, std::size_t count, std::uint8_t* kinds) const;
-  /// Stores rows of a front, see BounceBlock::append.
-  void append(std::size_t block, const BounceColumns& front, std::size_t first, std::size_t count,
-    std::uint32_t* slots);
   /// Removes this segment and all after it of its walk. Calls visit(slot) for each before.
   template <class Visit>
   void removeFrom(const SegmentPlace& first, const Visit& visit)
@@ -87,10 +104,6 @@ public:
       }
     });
   }
-
-  /// Lists for each block of [first, end) the slots of segments that the scan flags, in order.
-  void find(const BounceScan& scan, std::size_t first, std::size_t end,
-    std::vector<std::vector<std::uint32_t>>& slots) const;
 
   HiddenHits& hidden(std::size_t block) { return hidden_[block]; }
   const HiddenHits& hidden(std::size_t block) const { return hidden_[block]; }
@@ -165,6 +178,40 @@ private:
   std::shared_ptr<BlockArena> arena_; ///< outlives the blocks
   std::vector<BounceBlock> blocks_;
   std::vector<HiddenHits> hidden_; ///< by block
+};
+
+/// The histories of all sets of walks, ordered by the numbers of their walks.
+class WalkHistories
+{
+public:
+  /// At least one; they must outlive it.
+  explicit WalkHistories(std::vector<const WalkHistory*> all)
+    : all_(std::move(all))
+  {
+  }
+  /// Of a single set.
+  WalkHistories(const WalkHistory& only)
+    : all_{ &only }
+  {
+  }
+
+  const std::vector<const WalkHistory*>& all() const { return all_; }
+  /// The history that stores a walk.
+  const WalkHistory& of(std::uint32_t walk) const
+  {
+    std::size_t i = 0;
+    while (i + 1 < all_.size() && walk >= all_[i]->plan().endWalk())
+    {
+      ++i;
+    }
+    return *all_[i];
+  }
+  Power power(const SegmentRef& segment) const { return of(segment.walk).power(segment); }
+  /// The hit without its distance.
+  Hit hit(const SegmentRef& segment) const { return of(segment.walk).hit(segment); }
+
+private:
+  std::vector<const WalkHistory*> all_;
 };
 
 }

@@ -3,7 +3,7 @@
 #define irradiance_KeptPhotons_h
 
 #include "Execution/ProgressSpan.h"
-#include "History/WalkHistories.h"
+#include "History/WalkHistory.h"
 #include "Photons/LeafPhotons.h"
 
 #include <cassert>

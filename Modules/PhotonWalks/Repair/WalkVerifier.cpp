@@ -93,7 +93,12 @@ void WalkVerifier::find(std::size_t first, std::size_t end,
   const std::vector<const StaleMarks*>& known, Memory& memory, WalkFront& stale) const
 {
   StageClock clock;
-  history_.find(scan_, first, end, memory.slots);
+  memory.slots.resize(std::max(memory.slots.size(), end - first));
+  for (std::size_t block = first; block < end; ++block)
+  {
+    scan_.find(history_.block(block), history_.block(std::min(block + 1, end - 1)),
+      memory.slots[block - first]);
+  }
   clock.ends(Stage::Scan);
   memory.firstStale.assign((end - first) * WalkPlan::kWalksPerBlock, BounceBlock::kNone);
   memory.clear();
