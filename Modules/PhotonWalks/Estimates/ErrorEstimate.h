@@ -109,19 +109,17 @@ private:
     CellSide cell;
     double area; ///< m2
     std::array<Received, Power::kMaxBands> received{};
+    // In its worst band:
+    double error = 0;
+    bool castsRays = false;
+    double ofRays = 0; ///< the part of its variance that comes of rays
   };
   Received received(const CellSide& cell, int band) const;
   /// All cells, or sides of cells, that have an area.
   std::vector<Part> partsOf(
     const SceneCells& cells, bool areSidesApart, Execution& execution) const;
-  /// How well a part is known in its worst band.
-  struct Judged
-  {
-    double error, area;
-    bool castsRays;
-    double ofRays; ///< the part of its variance that comes of rays
-  };
-  std::vector<Judged> judged(const std::vector<Part>& parts) const;
+  /// Sets what is said of the worst bands.
+  void judge(std::vector<Part>& parts) const;
   double partOfRays(const Received& received, double rayVariance) const;
   /// `average`: quanta that a cell of this area receives on average. `factor`: confidenceFactor().
   static double relativeError(const Received& received, double average, double factor);

@@ -115,11 +115,10 @@ void StaleWalks::add(
   sums_.add(deposits);
 }
 
-void StaleWalks::repair(
-  std::size_t block, const WalkHistory& history, StaleMark& mark, std::vector<Deposit>& deposits)
+void StaleWalks::repair(const WalkHistory& history, StaleMark& mark, std::vector<Deposit>& deposits)
 {
   tally(history, mark, kAll, -1, deposits);
-  count(blocks_[block], history, mark, -1);
+  count(blocks_[history.indexOf(mark.walk)], history, mark, -1);
   mark.powerClass = 0;
 }
 
@@ -139,7 +138,7 @@ void StaleWalks::forget(const WalkHistory& history, std::uint32_t walk)
     if (mark.walk == walk)
     {
       std::vector<Deposit> deposits;
-      repair(block, history, mark, deposits);
+      repair(history, mark, deposits);
       take(deposits);
     }
   }

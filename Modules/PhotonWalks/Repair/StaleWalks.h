@@ -65,8 +65,7 @@ public:
   /// them. It must have skipped the tails that were marked before.
   void add(std::size_t block, const WalkHistory& history, const std::vector<SegmentRef>& found);
   /// Takes out a walk whose tail is about to be replaced; its mark stays until forgetRepaired().
-  void repair(
-    std::size_t block, const WalkHistory& history, StaleMark& mark, std::vector<Deposit>& deposits);
+  void repair(const WalkHistory& history, StaleMark& mark, std::vector<Deposit>& deposits);
   void forgetRepaired(std::size_t block);
 
   /// Takes out a walk that is about to be removed, if it is marked.

@@ -35,13 +35,7 @@ void passOver(const WalkHistory& history, Execution& execution, const Work& work
 /// Marked walks of consecutive blocks, on which one thread at a time works.
 struct WalkRepair::Unit
 {
-  struct Item
-  {
-    std::size_t block;
-    StaleMark* mark;
-  };
-
-  std::vector<Item> items; ///< ordered by walk
+  std::vector<StaleMark*> marks; ///< ordered by walk
   std::size_t next = 0;
   std::unique_ptr<RepairWork> open;
   std::size_t walks = 0; ///< of what is open
@@ -163,7 +157,7 @@ std::vector<WalkRepair::Unit> WalkRepair::units(StaleWalks& stale, const PowerCl
   std::vector<Unit> units;
   for (std::size_t block = 0; block < state_.history.size(); ++block)
   {
-    if (units.empty() || units.back().items.size() >= together)
+    if (units.empty() || units.back().marks.size() >= together)
     {
       units.emplace_back();
     }
@@ -171,7 +165,7 @@ std::vector<WalkRepair::Unit> WalkRepair::units(StaleWalks& stale, const PowerCl
     {
       if (mark.powerClass >= like.weakest) // no stronger class is left
       {
-        units.back().items.push_back({ block, &mark });
+        units.back().marks.push_back(&mark);
       }
     }
   }
@@ -209,7 +203,7 @@ bool WalkRepair::work(Unit& unit, StaleWalks& stale, TimeBudget* budget, const D
 std::unique_ptr<RepairWork> WalkRepair::begin(Unit& unit, StaleWalks& stale, TimeBudget* budget)
 {
   constexpr std::size_t kFirst = 16;
-  const std::size_t left = std::min(unit.items.size() - unit.next, kBatchSize);
+  const std::size_t left = std::min(unit.marks.size() - unit.next, kBatchSize);
   if (left == 0)
   {
     return nullptr;
@@ -226,9 +220,8 @@ std::unique_ptr<RepairWork> WalkRepair::begin(Unit& unit, StaleWalks& stale, Tim
   std::vector<Deposit> deposits;
   for (std::size_t i = unit.next; i < unit.next + unit.walks; ++i)
   {
-    const Unit::Item& item = unit.items[i];
-    places.push_back(state_.history.placeOf(item.mark->first()));
-    stale.repair(item.block, state_.history, *item.mark, deposits);
+    places.push_back(state_.history.placeOf(unit.marks[i]->first()));
+    stale.repair(state_.history, *unit.marks[i], deposits);
   }
   stale.take(deposits);
   unit.next += unit.walks;
