@@ -169,8 +169,7 @@ void vtkOutgoingRadianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBlo
   const vtkIdType cellsTogether = std::max(1, raysTogether / this->NumberOfSpecularSamples);
   const std::vector<Unit> units =
     MakeUnits(source, cellsTogether, irradiance::haveErrors(input), output);
-  irradiance::SlicedPass pass{ units.size(), {} };
-  pass.work = [&](std::size_t i, const irradiance::Deadline&) {
+  irradiance::forEachSliced(units.size(), execution, [&](std::size_t i) {
     const Unit& unit = units[i];
     std::vector<irradiance::SceneCell> cells;
     for (vtkIdType cell = unit.begin; cell < unit.end; ++cell)
@@ -182,9 +181,7 @@ void vtkOutgoingRadianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBlo
     {
       unit.arrays.set(cell++, light);
     }
-    return true;
-  };
-  pass.run(execution);
+  });
 }
 
 int vtkOutgoingRadianceFilter::RequestData(

@@ -76,7 +76,7 @@ inline void storeWalk(
     stored.isFront = segment.isFront;
     stored.power = segment.power;
     front.add(stored);
-    history.append(history.indexOf(walk), front.columns(), 0, 1, &parent);
+    history.block(history.indexOf(walk)).append(front.columns(), 0, 1, &parent);
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Sampling/TurnInFloat.h"
+#include "Sampling/ElementaryFunctions.h"
 
 #include <gtest/gtest.h>
 

@@ -33,12 +33,8 @@ struct SensorRun
   void forEachUnit(std::size_t count, Execution& part, const Measure& measure) const
   {
     constexpr std::size_t kUnit = 64;
-    SlicedPass pass{ (count + kUnit - 1) / kUnit, {} };
-    pass.work = [&](std::size_t unit, const Deadline&) {
-      measure(unit * kUnit, std::min((unit + 1) * kUnit, count));
-      return true;
-    };
-    pass.run(part);
+    forEachSliced((count + kUnit - 1) / kUnit, part,
+      [&](std::size_t unit) { measure(unit * kUnit, std::min((unit + 1) * kUnit, count)); });
   }
   /// "2 of 5 sensors lie farther than `where`: the first is point 1 at (...). Their `what`"; empty
   /// if none is lost.

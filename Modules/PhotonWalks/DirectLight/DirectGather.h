@@ -3,7 +3,7 @@
 #define irradiance_DirectGather_h
 
 #include "DirectLight/WalkStarts.h"
-#include "Sampling/DealtBlocks.h"
+#include "Sampling/WalkPlan.h"
 #include "Tally/PowerBalance.h"
 
 #include <memory>

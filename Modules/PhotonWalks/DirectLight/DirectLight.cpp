@@ -85,11 +85,8 @@ void DirectLight::gather(const Frame& frame, Execution& execution)
       firsts.push_back(cell);
     }
   }
-  SlicedPass pass{ firsts.size() - 1, [&](std::size_t unit, const Deadline&) {
-                    gatherCells(frame, firsts[unit], firsts[unit + 1]);
-                    return true;
-                  } };
-  pass.run(execution);
+  forEachSliced(firsts.size() - 1, execution,
+    [&](std::size_t unit) { gatherCells(frame, firsts[unit], firsts[unit + 1]); });
 }
 
 void DirectLight::gatherCells(const Frame& frame, std::size_t first, std::size_t end)
@@ -226,8 +223,7 @@ std::vector<std::uint32_t> DirectLight::follow(const Frame& frame, Execution& ex
   const auto all = static_cast<std::uint32_t>(samples_.size());
   const std::size_t units = (all + kSamplesTogether - 1) / kSamplesTogether;
   std::vector<std::vector<std::uint32_t>> flipped(units);
-  SlicedPass pass{ units, {} };
-  pass.work = [&](std::size_t unit, const Deadline&) {
+  forEachSliced(units, execution, [&](std::size_t unit) {
     const auto first = static_cast<std::uint32_t>(unit) * kSamplesTogether;
     std::vector<std::uint32_t> suspects;
     for (std::uint32_t i = first; i < std::min(first + kSamplesTogether, all); ++i)
@@ -247,9 +243,7 @@ std::vector<std::uint32_t> DirectLight::follow(const Frame& frame, Execution& ex
         flipped[unit].push_back(suspects[i]);
       }
     }
-    return true;
-  };
-  pass.run(execution);
+  });
   std::vector<std::uint32_t> together;
   for (const std::vector<std::uint32_t>& some : flipped)
   {

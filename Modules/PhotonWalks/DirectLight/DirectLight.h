@@ -4,7 +4,7 @@
 
 #include "DirectLight/CellSampler.h"
 #include "Execution/Execution.h"
-#include "Sampling/DealtBlocks.h"
+#include "Sampling/WalkPlan.h"
 #include "Tally/CellSums.h"
 
 #include <cstdint>

@@ -175,7 +175,7 @@ void CellDiffusion::step(
 void flowPlain(const CellDiffusion::Link* links, std::size_t count, unsigned fields,
   const double* before, double* quanta)
 {
-  flowBy<PlainNumbers>(links, count, fields, before, quanta);
+  flowBy<double>(links, count, fields, before, quanta);
 }
 
 void flow(const CellDiffusion::Link* links, std::size_t count, unsigned fields,

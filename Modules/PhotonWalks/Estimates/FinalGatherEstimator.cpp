@@ -130,14 +130,6 @@ std::optional<double> FinalGatherEstimator::rayVariance(const CellSide& cell, in
   return variance;
 }
 
-double FinalGatherEstimator::staleIrradiance(const CellSide& cell, int band) const
-{
-  // Both are rounded, so the part may come out larger than the whole.
-  return walks().staleSums()
-    ? perArea(std::min(staleSums_.sum(cell, band), sums_.sum(cell, band)), cell)
-    : 0.0;
-}
-
 /// Each ray reads a cell that expects fewestToRead() photons at least; one that reads none is worth
 /// one.
 double FinalGatherEstimator::photonShare(const CellSide& cell) const

@@ -3,7 +3,6 @@
 #define irradiance_FinalGatherEstimator_h
 
 #include "Estimates/CellEstimator.h"
-#include "Estimates/PhotonShares.h"
 #include "FinalGather/FinalGather.h"
 
 #include <optional>
@@ -42,12 +41,6 @@ public:
 
   /// There must be no unseenLight().
   void update(const EstimateRounds& rounds, Execution& execution) override;
-  double irradiance(const CellSide& cell, int band) const override
-  {
-    return perArea(sums_.sum(cell, band), cell);
-  }
-  /// Linear in what the walks of the cells hit have stale; of direct light nothing is stale.
-  double staleIrradiance(const CellSide& cell, int band) const override;
   ErrorEstimate errorEstimate() const override
   {
     return { sums_, sums_.plan(), 1, walks().largestStart(), this };
@@ -67,6 +60,9 @@ public:
   std::int64_t followedPaths() const override { return gather_.numberFollowed(); }
 
 private:
+  const CellSums& sums() const override { return sums_; }
+  /// Linear in what the walks of the cells hit have stale; of direct light nothing is stale.
+  const CellSums& staleSums() const override { return staleSums_; }
   double photonShare(const CellSide& cell) const override;
   std::optional<double> rayVariance(const CellSide& cell, int band) const override;
   std::uint32_t firstRays() const;

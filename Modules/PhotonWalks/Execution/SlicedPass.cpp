@@ -8,7 +8,8 @@
 namespace irradiance
 {
 
-void SlicedPass::run(Execution& execution) const
+void runSliced(std::size_t units, Execution& execution,
+  const std::function<bool(std::size_t unit, const Deadline& deadline)>& work)
 {
   std::vector<char> isDone(units, 0);
   std::size_t first = 0; // unit that is not done yet

@@ -45,15 +45,12 @@ void FinalGather::update(const FinalGatherScene& scene, std::size_t rounds, Exec
   {
     followed.push_back(scene.inRound(round));
   }
-  SlicedPass pass{ units, {} };
-  pass.work = [&](std::size_t unit, const Deadline&) {
+  forEachSliced(units, execution, [&](std::size_t unit) {
     if (dealt_.contains(unit))
     {
       gather(followed, rounds, motion ? &*motion : nullptr, unit);
     }
-    return true;
-  };
-  pass.run(execution);
+  });
   segments_ = read_;
   if (ranks.areSeveral())
   {

@@ -6,7 +6,7 @@
 #include "FinalGather/FinalGatherMotion.h"
 #include "FinalGather/FinalGatherPaths.h"
 #include "FinalGather/PathSums.h"
-#include "Sampling/DealtBlocks.h"
+#include "Sampling/WalkPlan.h"
 
 #include <atomic>
 #include <cstdint>

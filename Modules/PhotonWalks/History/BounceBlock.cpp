@@ -56,35 +56,10 @@ BounceBlock::BounceBlock(BlockArena& arena, std::uint32_t firstWalk, std::uint32
 
 BounceBlock::~BounceBlock()
 {
-  giveBack();
-}
-
-BounceBlock::BounceBlock(BounceBlock&& other) noexcept = default;
-
-BounceBlock& BounceBlock::operator=(BounceBlock&& other) noexcept
-{
-  giveBack();
-  arena_ = other.arena_;
-  firstWalk_ = other.firstWalk_;
-  numberOfWalks_ = other.numberOfWalks_;
-  size_ = other.size_;
-  bands_ = other.bands_;
-  grid_ = other.grid_;
-  power_ = other.power_;
-  pages_ = std::move(other.pages_);
-  free_ = std::move(other.free_);
-  children_ = std::move(other.children_);
-  parents_ = std::move(other.parents_);
-  return *this;
-}
-
-void BounceBlock::giveBack() noexcept
-{
   for (BouncePage* const page : pages_)
   {
     arena_->giveBack(page);
   }
-  pages_.clear();
 }
 
 void BounceBlock::addPage()

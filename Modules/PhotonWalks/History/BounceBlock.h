@@ -5,17 +5,33 @@
 #include "History/BlockArena.h"
 #include "History/BouncePage.h"
 #include "History/GridSegments.h"
-#include "History/SegmentRef.h"
 #include "Simd/Prefetch.h"
 #include "Surfaces/Power.h"
 
 #include <array>
 #include <cstdint>
+#include <tuple>
 #include <unordered_map>
 #include <vector>
 
 namespace irradiance
 {
+
+/// Which segment of which walk; also the photon that the segment brings to what it hits.
+struct SegmentRef
+{
+  std::uint32_t walk;   ///< its number in the plan
+  std::uint32_t bounce; ///< 0 for the segment that leaves the light
+
+  friend bool operator==(const SegmentRef& a, const SegmentRef& b)
+  {
+    return a.walk == b.walk && a.bounce == b.bounce;
+  }
+  friend bool operator<(const SegmentRef& a, const SegmentRef& b)
+  {
+    return std::tie(a.walk, a.bounce) < std::tie(b.walk, b.bounce);
+  }
+};
 
 /// Segments that were shot side by side, in columns. Rows are read up to RayColumns::kPadding
 /// places behind the last one.
@@ -66,8 +82,7 @@ public:
   BounceBlock(BlockArena& arena, std::uint32_t firstWalk, std::uint32_t numberOfWalks, int bands,
     const PointGrid& grid, const Power& power);
   ~BounceBlock();
-  BounceBlock(BounceBlock&& other) noexcept;
-  BounceBlock& operator=(BounceBlock&& other) noexcept;
+  BounceBlock(BounceBlock&& other) noexcept = default;
 
   std::uint32_t firstWalk() const { return firstWalk_; }
   std::uint32_t endWalk() const { return firstWalk_ + numberOfWalks_; }
@@ -151,8 +166,8 @@ public:
   Power power(std::uint32_t slot) const;
   std::uint8_t tag(std::uint32_t slot) const { return pageOf(slot).tags[slot % BouncePage::kSize]; }
 
-  /// Calls visit(slot) for a segment and all after it of its walk, in order. Those whose triangle()
-  /// is not kNone are contributions to a cell, see Contribution.h. The visit must not remove any.
+  /// Calls visit(slot) for a segment and all after it of its walk, in order. The visit must not
+  /// remove any.
   template <class Visit>
   void forEachFrom(std::uint32_t slot, const Visit& visit) const
   {
@@ -220,7 +235,6 @@ private:
   BounceRecord recordOf(const BounceColumns& front, std::size_t row) const;
   void link(std::uint32_t parent, std::uint32_t slot);
   void unlink(std::uint32_t slot);
-  void giveBack() noexcept;
 
   BlockArena* arena_;
   std::uint32_t firstWalk_, numberOfWalks_;

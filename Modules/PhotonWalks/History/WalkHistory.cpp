@@ -88,22 +88,6 @@ void WalkHistory::setKinds(
   }
 }
 
-void WalkHistory::append(std::size_t block, const BounceColumns& front, std::size_t first,
-  std::size_t count, std::uint32_t* slots)
-{
-  blocks_[block].append(front, first, count, slots);
-}
-
-void WalkHistory::find(const BounceScan& scan, std::size_t first, std::size_t end,
-  std::vector<std::vector<std::uint32_t>>& slots) const
-{
-  slots.resize(std::max(slots.size(), end - first));
-  for (std::size_t block = first; block < end; ++block)
-  {
-    scan.find(blocks_[block], blocks_[std::min(block + 1, end - 1)], slots[block - first]);
-  }
-}
-
 void WalkHistory::forgetHiddenHits()
 {
   for (HiddenHits& hidden : hidden_)

@@ -91,18 +91,8 @@ public:
   void run(Execution& execution)
   {
     ProgressSpan finding(execution, 0, 0.5), changing(execution, 0.5, 1);
-    SlicedPass find{ units_.size(), {} };
-    find.work = [&](std::size_t unit, const Deadline&) {
-      sort(units_[unit]);
-      return true;
-    };
-    find.run(finding);
-    SlicedPass change{ kParts, {} };
-    change.work = [&](std::size_t part, const Deadline&) {
-      changePart(part);
-      return true;
-    };
-    change.run(changing);
+    forEachSliced(units_.size(), finding, [&](std::size_t unit) { sort(units_[unit]); });
+    forEachSliced(kParts, changing, [&](std::size_t part) { changePart(part); });
   }
 
 private:

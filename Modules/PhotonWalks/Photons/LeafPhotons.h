@@ -3,7 +3,7 @@
 #define irradiance_LeafPhotons_h
 
 #include "Execution/Execution.h"
-#include "History/WalkHistories.h"
+#include "History/WalkHistory.h"
 #include "Photons/PhotonTree.h"
 #include "Surfaces/SceneObjects.h"
 

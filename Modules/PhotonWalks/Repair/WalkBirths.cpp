@@ -11,11 +11,9 @@ std::vector<std::uint32_t> WalkBirths::shoot(
   const std::vector<std::uint32_t>& walks, TimeBudget* budget, Execution& execution)
 {
   std::vector<Unit> units = unitsOf(walks);
-  SlicedPass pass{ units.size(), {} };
-  pass.work = [&](std::size_t unit, const Deadline& deadline) {
+  runSliced(units.size(), execution, [&](std::size_t unit, const Deadline& deadline) {
     return work(units[unit], walks, budget, deadline);
-  };
-  pass.run(execution);
+  });
   std::vector<std::uint32_t> shot;
   for (const Unit& unit : units)
   {

@@ -24,11 +24,10 @@ void passOver(const WalkHistory& history, Execution& execution, const Work& work
 {
   constexpr std::size_t kBlocks = 32; // verified and repaired together
   const std::size_t all = history.size();
-  SlicedPass pass{ (all + kBlocks - 1) / kBlocks, {} };
-  pass.work = [&](std::size_t unit, const Deadline& deadline) {
-    return work(unit * kBlocks, std::min((unit + 1) * kBlocks, all), unit, deadline);
-  };
-  pass.run(execution);
+  runSliced(
+    (all + kBlocks - 1) / kBlocks, execution, [&](std::size_t unit, const Deadline& deadline) {
+      return work(unit * kBlocks, std::min((unit + 1) * kBlocks, all), unit, deadline);
+    });
 }
 
 }
@@ -36,13 +35,7 @@ void passOver(const WalkHistory& history, Execution& execution, const Work& work
 /// Marked walks of consecutive blocks, on which one thread at a time works.
 struct WalkRepair::Unit
 {
-  struct Item
-  {
-    std::size_t block;
-    StaleMark* mark;
-  };
-
-  std::vector<Item> items; ///< ordered by walk
+  std::vector<StaleMark*> marks; ///< ordered by walk
   std::size_t next = 0;
   std::unique_ptr<RepairWork> open;
   std::size_t walks = 0; ///< of what is open
@@ -53,7 +46,7 @@ std::unique_ptr<RepairWork> WalkRepair::take()
 {
   std::unique_ptr<RepairWork> work = state_.pool.take();
   work->batch.begin(state_.tracer, &state_.history);
-  work->stale.hidden.clear();
+  work->verifier.hidden.clear();
   work->firsts.clear();
   work->changes.gone.clear();
   work->changes.arrived.clear();
@@ -70,11 +63,11 @@ void WalkRepair::verifyAndRepair(Execution& execution)
       {
         open[unit] = take();
         const Stopwatch stopwatch;
-        state_.verifier.find(first, end, {}, open[unit]->verifier, open[unit]->stale);
+        state_.verifier.find(first, end, {}, open[unit]->verifier, open[unit]->batch.front());
         const double seconds = stopwatch.seconds();
         const std::lock_guard<std::mutex> lock(mutex_);
         figures_.verifySeconds += seconds;
-        figures_.invalidWalks += static_cast<std::int64_t>(open[unit]->stale.rows.size);
+        figures_.invalidWalks += static_cast<std::int64_t>(open[unit]->batch.front().size);
       }
       const Stopwatch stopwatch;
       const bool isDone = shoot(*open[unit], deadline);
@@ -98,8 +91,8 @@ void WalkRepair::verifyAndMark(StaleWalks& stale, Execution& execution)
   passOver(state_.history, execution,
     [&](std::size_t first, std::size_t end, std::size_t, const Deadline&) {
       std::unique_ptr<RepairWork> work = take();
-      state_.verifier.find(first, end, known, work->verifier, work->stale);
-      const WalkFront& rows = work->stale.rows;
+      state_.verifier.find(first, end, known, work->verifier, work->batch.front());
+      const WalkFront& rows = work->batch.front();
       for (std::size_t row = 0, next = 0; row < rows.size; row = next)
       {
         work->firsts.clear();
@@ -137,11 +130,9 @@ void WalkRepair::repair(StaleWalks& stale, TimeBudget* budget, Execution& execut
     const double from = done / all;
     done += static_cast<double>(like.size);
     ProgressSpan span(execution, from, done / all);
-    SlicedPass pass{ parts.size(), {} };
-    pass.work = [&](std::size_t i, const Deadline& deadline) {
+    runSliced(parts.size(), span, [&](std::size_t i, const Deadline& deadline) {
       return work(parts[i], stale, budget, deadline);
-    };
-    pass.run(span);
+    });
   }
   for (std::size_t block = 0; block < state_.history.size(); ++block)
   {
@@ -166,7 +157,7 @@ std::vector<WalkRepair::Unit> WalkRepair::units(StaleWalks& stale, const PowerCl
   std::vector<Unit> units;
   for (std::size_t block = 0; block < state_.history.size(); ++block)
   {
-    if (units.empty() || units.back().items.size() >= together)
+    if (units.empty() || units.back().marks.size() >= together)
     {
       units.emplace_back();
     }
@@ -174,7 +165,7 @@ std::vector<WalkRepair::Unit> WalkRepair::units(StaleWalks& stale, const PowerCl
     {
       if (mark.powerClass >= like.weakest) // no stronger class is left
       {
-        units.back().items.push_back({ block, &mark });
+        units.back().marks.push_back(&mark);
       }
     }
   }
@@ -212,7 +203,7 @@ bool WalkRepair::work(Unit& unit, StaleWalks& stale, TimeBudget* budget, const D
 std::unique_ptr<RepairWork> WalkRepair::begin(Unit& unit, StaleWalks& stale, TimeBudget* budget)
 {
   constexpr std::size_t kFirst = 16;
-  const std::size_t left = std::min(unit.items.size() - unit.next, kBatchSize);
+  const std::size_t left = std::min(unit.marks.size() - unit.next, kBatchSize);
   if (left == 0)
   {
     return nullptr;
@@ -229,13 +220,12 @@ std::unique_ptr<RepairWork> WalkRepair::begin(Unit& unit, StaleWalks& stale, Tim
   std::vector<Deposit> deposits;
   for (std::size_t i = unit.next; i < unit.next + unit.walks; ++i)
   {
-    const Unit::Item& item = unit.items[i];
-    places.push_back(state_.history.placeOf(item.mark->first()));
-    stale.repair(item.block, state_.history, *item.mark, deposits);
+    places.push_back(state_.history.placeOf(unit.marks[i]->first()));
+    stale.repair(state_.history, *unit.marks[i], deposits);
   }
   stale.take(deposits);
   unit.next += unit.walks;
-  state_.verifier.castAgain(places, work->verifier, work->stale);
+  state_.verifier.castAgain(places, work->verifier, work->batch.front());
   unit.seconds = budget ? budget->now() - start : 0;
   return work;
 }
@@ -243,7 +233,7 @@ std::unique_ptr<RepairWork> WalkRepair::begin(Unit& unit, StaleWalks& stale, Tim
 void WalkRepair::removeOld(RepairWork& work, FrontTally& tally)
 {
   constexpr std::size_t kAhead = 12;
-  WalkFront& rows = work.stale.rows;
+  WalkFront& rows = work.batch.front();
   const int bands = state_.history.bands();
   StageClock clock;
   Power starting;
@@ -279,7 +269,7 @@ void WalkRepair::removeOld(RepairWork& work, FrontTally& tally)
 
 void WalkRepair::remove(RepairWork& work, std::size_t row)
 {
-  const WalkFront& rows = work.stale.rows;
+  const WalkFront& rows = work.batch.front();
   const SegmentPlace place{ rows.block[row], rows.slot[row] };
   const SegmentRef first{ rows.walk[row], rows.bounce[row] };
   if (state_.changes || state_.tails)
@@ -303,11 +293,11 @@ bool WalkRepair::shoot(RepairWork& work, const Deadline& deadline)
   {
     constexpr std::size_t kUsualTail = 8; // photons that go and come
     FrontTally tally(state_.tracer.triangles(), state_.sums, balance, state_.tracer.powerPerWalk(),
-      kUsualTail * work.stale.rows.size);
+      kUsualTail * work.batch.front().size);
     if (!std::exchange(work.hasBegun, true))
     {
       removeOld(work, tally);
-      work.batch.resume(state_.changes || !work.stale.hidden.empty());
+      work.batch.resume(state_.changes || !work.verifier.hidden.empty());
     }
     isDone = work.batch.run(tally, [&] { return deadline.hasPassed(); });
   }
@@ -318,11 +308,11 @@ bool WalkRepair::shoot(RepairWork& work, const Deadline& deadline)
 void WalkRepair::finish(std::unique_ptr<RepairWork>& work)
 {
   const std::vector<SegmentPlace>& places = work->batch.places();
-  for (std::size_t i = 0; i < work->stale.hidden.size(); ++i)
+  for (std::size_t i = 0; i < work->verifier.hidden.size(); ++i)
   {
-    if (work->stale.hidden[i].isKnown())
+    if (work->verifier.hidden[i].isKnown())
     {
-      state_.history.hidden(places[i].block).set(places[i].slot, work->stale.hidden[i]);
+      state_.history.hidden(places[i].block).set(places[i].slot, work->verifier.hidden[i]);
     }
   }
   for (std::size_t i = 0; state_.changes && i < places.size(); ++i)

@@ -21,8 +21,7 @@ namespace irradiance
 /// What a thread needs to find stale walks and to shoot them again.
 struct RepairWork
 {
-  WalkBatch batch;
-  StaleFront stale{ batch.front() };
+  WalkBatch batch; ///< its front: first stale segments, then the tails that are shot
   WalkVerifier::Memory verifier;
   WalkFront old;                  ///< segments that are taken back
   std::vector<SegmentRef> firsts; ///< of the tails that are shot
@@ -87,7 +86,7 @@ private:
   std::unique_ptr<RepairWork> begin(Unit& unit, StaleWalks& stale, TimeBudget* budget);
 
   std::unique_ptr<RepairWork> take();
-  /// Removes the old tails of `work.stale`.
+  /// Removes the old tails of the front.
   void removeOld(RepairWork& work, FrontTally& tally);
   void remove(RepairWork& work, std::size_t row);
   /// Shoots the new ones; returns whether they are done.

@@ -18,7 +18,25 @@ public:
   static constexpr std::uint32_t kUsualBounces = 32;
 
   /// `samples` must outlive this. `bounces`: of the table, from 0 on.
-  BounceKeys(const SobolSequence& samples, SampleUse use, std::uint32_t bounces = kUsualBounces);
+  BounceKeys(const SobolSequence& samples, SampleUse use, std::uint32_t bounces = kUsualBounces)
+    : samples_(&samples)
+    , use_(use)
+    , bounces_(bounces)
+    , replicates_(samples.replicates().count())
+    , firstWalk_(samples.replicates().firstWalk())
+    , keys_(3 * size())
+  {
+    for (std::size_t i = 0; i < size(); ++i)
+    {
+      // The first walks are of one replicate each, in their order.
+      const auto bounce = static_cast<std::uint32_t>(i / replicates_),
+                 replicate = static_cast<std::uint32_t>(i % replicates_);
+      const SampleKeys keys = samples.keysOf(firstWalk_ + replicate, bounce, use);
+      keys_[i] = keys.shuffle;
+      keys_[size() + i] = keys.scrambles[0];
+      keys_[2 * size() + i] = keys.scrambles[1];
+    }
+  }
 
   const SobolSequence& samples() const { return *samples_; }
   SampleUse use() const { return use_; }

@@ -2,7 +2,7 @@
 #ifndef irradiance_CosineDirectionInFloat_h
 #define irradiance_CosineDirectionInFloat_h
 
-#include "Sampling/TurnInFloat.h"
+#include "Sampling/ElementaryFunctions.h"
 
 namespace irradiance
 {

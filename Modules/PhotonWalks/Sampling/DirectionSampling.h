@@ -3,7 +3,7 @@
 #define irradiance_DirectionSampling_h
 
 #include "Geometry/Vector.h"
-#include "Sampling/SinCos.h"
+#include "Sampling/ElementaryFunctions.h"
 
 #include <array>
 

@@ -148,7 +148,7 @@ void WalkBatch::store()
     {
       ++end;
     }
-    history_->append(blocks[row], columns, row, end - row, now_.slot.data() + row);
+    history_->block(blocks[row]).append(columns, row, end - row, now_.slot.data() + row);
   }
   for (std::size_t row = 0; notesPlaces_ && row < now_.size; ++row)
   {

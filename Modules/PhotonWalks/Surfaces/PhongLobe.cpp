@@ -2,7 +2,7 @@
 #include "Surfaces/PhongLobe.h"
 
 #include "Sampling/DirectionSampling.h"
-#include "Sampling/PowUnit.h"
+#include "Sampling/ElementaryFunctions.h"
 #include "Surfaces/LobeLoss.h"
 
 #include <algorithm>

@@ -3,9 +3,10 @@
 #define irradiance_CellSums_h
 
 #include "Execution/Ranks.h"
-#include "History/Contribution.h"
+#include "Geometry/Ray.h"
 #include "Sampling/WalkPlan.h"
 #include "Surfaces/Bands.h"
+#include "Surfaces/Power.h"
 #include "Surfaces/SceneCells.h"
 
 #include <array>
@@ -105,12 +106,6 @@ public:
     {
       deposits.push_back({ first + static_cast<std::size_t>(band), sign * power[band] });
     }
-  }
-  /// Likewise of what a stored segment brought.
-  void collect(const Contribution& brought, int sign, std::vector<Deposit>& deposits) const
-  {
-    collect(slotOf(brought.segment.walk, cellOf(brought.hit.id)), brought.isFront, brought.power,
-      sign, deposits);
   }
   /// May be called by many threads at once.
   void add(const std::vector<Deposit>& deposits);

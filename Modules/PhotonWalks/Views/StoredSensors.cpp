@@ -56,8 +56,7 @@ void StoredSensors::gather(const IrradianceEngine& engine, const std::vector<boo
     units_.clear();
   }
   units_.resize(keepsRays ? units : 0);
-  SlicedPass pass{ units, {} };
-  pass.work = [&](std::size_t unit, const Deadline&) {
+  forEachSliced(units, gathering, [&](std::size_t unit) {
     const std::size_t first = unit * together, end = std::min(first + together, sensors_.size());
     const auto at = [&](std::size_t i) { return isDone.begin() + static_cast<std::ptrdiff_t>(i); };
     // If rays are kept, all or none: those that are done find what they found before.
@@ -72,7 +71,7 @@ void StoredSensors::gather(const IrradianceEngine& engine, const std::vector<boo
     }
     if (numbers.empty())
     {
-      return true;
+      return;
     }
     SensorFinalGather::Rays none;
     std::int64_t cast = 0;
@@ -83,9 +82,7 @@ void StoredSensors::gather(const IrradianceEngine& engine, const std::vector<boo
       replicates_[numbers[i]] = std::move(found[i]);
     }
     cast_ += cast;
-    return true;
-  };
-  pass.run(gathering);
+  });
   if (keepsRays)
   {
     origin_ = std::move(origin);

@@ -147,8 +147,7 @@ std::vector<std::uint32_t> WalkPaths::touching(
     }
   }
   std::vector<std::vector<std::uint32_t>> found(blocks.size());
-  SlicedPass pass{ found.size(), {} };
-  pass.work = [&](std::size_t number, const Deadline&) {
+  forEachSliced(found.size(), execution, [&](std::size_t number) {
     const auto& [set, index] = blocks[number];
     const BounceBlock& block = set->history().block(index);
     for (std::uint32_t walk = block.firstWalk();
@@ -160,9 +159,7 @@ std::vector<std::uint32_t> WalkPaths::touching(
         found[number].push_back(walk);
       }
     }
-    return true;
-  };
-  pass.run(execution);
+  });
   std::vector<std::uint32_t> walks;
   for (const std::vector<std::uint32_t>& some : found)
   {
@@ -194,13 +191,10 @@ std::vector<WalkPath> WalkPaths::paths(
   std::copy_if(all.begin(), all.end(), std::back_inserter(walks),
     [this](std::uint32_t walk) { return walks_.setOf(walk).has(walk); });
   std::vector<WalkPath> paths(walks.size());
-  SlicedPass pass{ (walks.size() + kPerUnit - 1) / kPerUnit, {} };
-  pass.work = [&](std::size_t unit, const Deadline&) {
+  forEachSliced((walks.size() + kPerUnit - 1) / kPerUnit, execution, [&](std::size_t unit) {
     const std::size_t begin = unit * kPerUnit;
     find(walks.data() + begin, std::min(kPerUnit, walks.size() - begin), paths.data() + begin);
-    return true;
-  };
-  pass.run(execution);
+  });
   return engine_.walks().areShared() ? pathsOfAll(paths, execution.ranks()) : paths;
 }
 

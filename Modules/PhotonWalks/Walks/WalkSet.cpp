@@ -121,10 +121,10 @@ void WalkSet::shootBlocks(
   const WalkTracer tracer = this->tracer(frame, samples);
   std::mutex mutex;
   const std::size_t first = blocks_.before(walks.firstBlock), end = blocks_.before(walks.endBlock);
-  const std::size_t units = (end - first + kBlocksTogether - 1) / kBlocksTogether;
+  const std::size_t units =
+    lights().isEmpty() ? 0 : (end - first + kBlocksTogether - 1) / kBlocksTogether;
   std::vector<std::unique_ptr<WalkBatch>> open(units);
-  SlicedPass pass{ lights().isEmpty() ? 0 : units, {} };
-  pass.work = [&](std::size_t unit, const Deadline& deadline) {
+  runSliced(units, execution, [&](std::size_t unit, const Deadline& deadline) {
     PowerBalance balance;
     bool isDone = true;
     {
@@ -146,8 +146,7 @@ void WalkSet::shootBlocks(
     }
     addLocked(balance, balance_, mutex);
     return isDone;
-  };
-  pass.run(execution);
+  });
 }
 
 void WalkSet::fill(WalkBatch& batch, std::size_t first, std::size_t end, int bands) const

@@ -2,7 +2,7 @@
 #ifndef irradiance_WalkSets_h
 #define irradiance_WalkSets_h
 
-#include "History/WalkHistories.h"
+#include "History/WalkHistory.h"
 #include "Shooting/StoredRays.h"
 #include "Walks/WalkSet.h"
 
