@@ -63,7 +63,7 @@ struct BounceColumns
  * Slots lie in pages of 256, taken from an arena. Links have 16 bits: what links lead from one part
  * of 64 K slots to another is listed aside. That takes 64 segments a walk.
  *
- * The cache of static hits (section 3.3 of the paper) stands beside it, by slot: see HiddenHits.
+ * The cache of static hits (section 3.3 of the paper) stands beside it, by slot: see HiddenHit.
  */
 class BounceBlock
 {

@@ -114,7 +114,12 @@ void WalkRepair::verifyAndMark(StaleWalks& stale, Execution& execution)
 
 void WalkRepair::repair(StaleWalks& stale, TimeBudget* budget, Execution& execution)
 {
-  const std::vector<PowerClass> order = classes(stale, budget);
+  // Each class is large enough to fill the batches of all threads. If there is time for all, so is
+  // the only one.
+  constexpr std::size_t kForAUnit = 128;
+  const std::size_t enough = kForAUnit * std::min(kUnits, state_.history.size());
+  const std::vector<PowerClass> order =
+    stale.classes(budget ? enough : std::numeric_limits<std::size_t>::max());
   double all = 0, done = 0;
   for (const PowerClass& like : order)
   {
@@ -138,15 +143,6 @@ void WalkRepair::repair(StaleWalks& stale, TimeBudget* budget, Execution& execut
   {
     stale.forgetRepaired(block);
   }
-}
-
-/// Each is large enough to fill the batches of all threads. If there is time for all, so is the
-/// only one.
-std::vector<PowerClass> WalkRepair::classes(const StaleWalks& stale, bool hasBudget) const
-{
-  constexpr std::size_t kForAUnit = 128;
-  const std::size_t enough = kForAUnit * std::min(kUnits, state_.history.size());
-  return stale.classes(hasBudget ? enough : std::numeric_limits<std::size_t>::max());
 }
 
 /// A block has few stale walks. So walks of several blocks are shot together, as long as that
@@ -312,7 +308,7 @@ void WalkRepair::finish(std::unique_ptr<RepairWork>& work)
   {
     if (work->verifier.hidden[i].isKnown())
     {
-      state_.history.hidden(places[i].block).set(places[i].slot, work->verifier.hidden[i]);
+      state_.history.setHidden(places[i], work->verifier.hidden[i]);
     }
   }
   for (std::size_t i = 0; state_.changes && i < places.size(); ++i)

@@ -80,7 +80,6 @@ public:
 private:
   struct Unit;
 
-  std::vector<PowerClass> classes(const StaleWalks& stale, bool hasBudget) const;
   std::vector<Unit> units(StaleWalks& stale, const PowerClass& like) const;
   bool work(Unit& unit, StaleWalks& stale, TimeBudget* budget, const Deadline& deadline);
   /// The next walks of a unit; null if there are none or the time is up.

@@ -3,7 +3,7 @@
 #define irradiance_WalkStages_h
 
 #include "DirectLight/DirectRounds.h"
-#include "Sampling/BounceKeys.h"
+#include "Sampling/SampleGroup.h"
 #include "Shooting/FrontTally.h"
 #include "Shooting/WalkFront.h"
 #include "Shooting/WalkSampler.h"
