@@ -144,8 +144,6 @@ public:
   std::uint32_t lastOf(std::uint32_t walk) const;
   std::uint32_t bounceOf(std::uint32_t slot) const;
   SegmentRef segmentAt(std::uint32_t slot) const { return { walkOf(slot), bounceOf(slot) }; }
-  /// The number of segments of a walk.
-  std::uint32_t size(std::uint32_t walk) const;
 
   // What is known of a segment.
   /// kNone if it escapes.
@@ -214,13 +212,8 @@ private:
   static constexpr std::uint32_t kPart = 1u << 16;
 
   static std::uint32_t partOf(std::uint32_t slot) { return slot & ~(kPart - 1); }
-  BouncePage& pageOf(std::uint32_t slot) { return *pages_[slot / BouncePage::kSize]; }
-  const BouncePage& pageOf(std::uint32_t slot) const { return *pages_[slot / BouncePage::kSize]; }
-  BounceRecord& record(std::uint32_t slot)
-  {
-    return pageOf(slot).records[slot % BouncePage::kSize];
-  }
-  const BounceRecord& record(std::uint32_t slot) const
+  BouncePage& pageOf(std::uint32_t slot) const { return *pages_[slot / BouncePage::kSize]; }
+  BounceRecord& record(std::uint32_t slot) const
   {
     return pageOf(slot).records[slot % BouncePage::kSize];
   }

@@ -92,8 +92,6 @@ public:
     const std::size_t block = indexOf(segment.walk);
     return { block, blocks_[block].slotOf(segment) };
   }
-  /// The number of segments of a walk.
-  std::uint32_t size(std::uint32_t walk) const { return blocks_[indexOf(walk)].size(walk); }
 
   /// Changes to a plan that has more rounds.
   void extend(const WalkPlan& plan) { plan_ = plan; }
@@ -142,12 +140,6 @@ public:
   /// The hit without its distance.
   Hit hit(const SegmentRef& segment) const { return hit(placeOf(segment)); }
   Hit hit(const SegmentPlace& place) const { return hitAt(blocks_[place.block], place.slot); }
-  /// Whether it hits the front.
-  bool isFront(const SegmentRef& segment) const
-  {
-    const SegmentPlace place = placeOf(segment);
-    return blocks_[place.block].isFront(place.slot);
-  }
 
   /// Calls visit(Photon) for each photon that segments of a walk brought, from this one on, in
   /// order.
