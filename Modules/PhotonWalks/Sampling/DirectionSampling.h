@@ -10,29 +10,20 @@
 namespace irradiance
 {
 
-/**
- * Unit vector at a given height over the plane across the unit vector `axis`, `turns` around it.
- * `radius` is the distance from the axis: height^2 + radius^2 = 1. Without branches, so that a loop
- * over many becomes SIMD. The frame around the axis is from Duff et al., "Building an Orthonormal
- * Basis, Revisited" (JCGT 2017).
- */
-struct DirectionAround
+/// Unit vector at a given height over the plane across the unit vector `axis`, `turns` around it.
+/// `radius` is the distance from the axis: height^2 + radius^2 = 1. The frame around the axis is
+/// from Duff et al., "Building an Orthonormal Basis, Revisited" (JCGT 2017).
+inline Vector3 directionAround(const Vector3& axis, double height, double radius, double turns)
 {
-  double x, y, z;
-
-  __attribute__((always_inline)) DirectionAround(
-    double axisX, double axisY, double axisZ, double height, double radius, double turns)
-  {
-    const double sign = __builtin_copysign(1.0, axisZ);
-    const double a = -1.0 / (sign + axisZ);
-    const double b = axisX * axisY * a;
-    const SinCos turn(turns);
-    const double p = radius * turn.cosine, q = radius * turn.sine;
-    x = p * (1.0 + sign * axisX * axisX * a) + q * b + height * axisX;
-    y = p * (sign * b) + q * (sign + axisY * axisY * a) + height * axisY;
-    z = height * axisZ - (p * (sign * axisX) + q * axisY);
-  }
-};
+  const double sign = __builtin_copysign(1.0, axis[2]);
+  const double a = -1.0 / (sign + axis[2]);
+  const double b = axis[0] * axis[1] * a;
+  const SinCos turn(turns);
+  const double p = radius * turn.cosine, q = radius * turn.sine;
+  return { p * (1.0 + sign * axis[0] * axis[0] * a) + q * b + height * axis[0],
+    p * (sign * b) + q * (sign + axis[1] * axis[1] * a) + height * axis[1],
+    height * axis[2] - (p * (sign * axis[0]) + q * axis[1]) };
+}
 
 /**
  * Vector on the hemisphere around a normal, density cos(theta) / pi per steradian, in float, from
@@ -53,7 +44,7 @@ struct CosineDirectionInFloat
     const float height = __builtin_sqrtf(toUnit(~u)), radius = __builtin_sqrtf(toUnit(u));
     const TurnInFloat turn(v);
     const float p = radius * turn.cosine, q = radius * turn.sine;
-    // The frame of DirectionAround.
+    // The frame of directionAround().
     const float sign = __builtin_copysignf(1.0F, normalZ);
     const float a = -1 / (sign + normalZ);
     const float b = normalX * normalY * a;
@@ -69,12 +60,6 @@ private:
     return (static_cast<float>(sample) + 0.5F) * 0x1p-32F;
   }
 };
-
-inline Vector3 directionAround(const Vector3& axis, double height, double radius, double turns)
-{
-  const DirectionAround direction(axis[0], axis[1], axis[2], height, radius, turns);
-  return { direction.x, direction.y, direction.z };
-}
 
 /// Unit vector, density 1 / (4 pi) per steradian.
 inline Vector3 sampleSphere(const std::array<double, 2>& u)
