@@ -58,11 +58,11 @@ private:
 
   std::vector<Unit> unitsOf(const std::vector<std::uint32_t>& walks) const;
   bool work(Unit& unit, const std::vector<std::uint32_t>& walks, TimeBudget* budget,
-    const Deadline& deadline);
+    const std::function<bool()>& hasToStop);
   /// Puts the next walks of a unit into a batch; false if there are none or the time is up.
   bool begin(Unit& unit, const std::vector<std::uint32_t>& walks, TimeBudget* budget);
   /// Returns whether they have ended.
-  bool run(Unit& unit, bool isNew, const Deadline& deadline);
+  bool run(Unit& unit, bool isNew, const std::function<bool()>& hasToStop);
 
   State state_;
   SharedBalance balance_;
