@@ -4,7 +4,6 @@
 #include "Simd/SimdLevel.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <tuple>
 

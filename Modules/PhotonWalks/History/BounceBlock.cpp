@@ -2,9 +2,7 @@
 #include "History/BounceBlock.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <utility>
 
 namespace irradiance
 {
