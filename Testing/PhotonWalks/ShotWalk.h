@@ -39,7 +39,8 @@ inline std::vector<WalkSegment> shotWalk(
   FrontTally tally(tracer.triangles(), sums, balance, tracer.stages().powerPerWalk(), 1);
   batch.start(tally);
   batch.run(tally, [] { return false; });
-  std::vector<WalkSegment> segments(history.size(walk));
+  const BounceBlock& block = history.block(0);
+  std::vector<WalkSegment> segments(block.bounceOf(block.lastOf(walk)) + 1);
   StoredRays rays;
   for (std::uint32_t bounce = 0; bounce < segments.size(); ++bounce)
   {
@@ -52,7 +53,7 @@ inline std::vector<WalkSegment> shotWalk(
       segment.hit.distance = tracer.scene().hitOf(segment.ray, segment.hit.id).distance;
     }
     segment.power = history.power(stored);
-    segment.isFront = history.isFront(stored);
+    segment.isFront = block.isFront(block.slotOf(stored));
   }
   return segments;
 }

@@ -200,7 +200,6 @@ private:
   {
     const auto& walk = model_.walks[i];
     const std::uint32_t number = kFirst + i;
-    ASSERT_EQ(block().size(number), walk.size());
     ASSERT_EQ(block().begin(number), walk.empty() ? BounceBlock::kNone : walk.front().slot);
     ASSERT_EQ(block().lastOf(number), walk.empty() ? BounceBlock::kNone : walk.back().slot);
     std::uint32_t before = BounceBlock::kNone, slot = block().begin(number);

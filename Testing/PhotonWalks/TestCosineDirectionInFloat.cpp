@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Sampling/CosineDirectionInFloat.h"
+#include "Sampling/DirectionSampling.h"
 
 #include "Kit.h"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Kit.h"
-#include "Sampling/CosineDirectionInFloat.h"
 #include "Shooting/FrontLoops.h"
 
 #include "FrontWorld.h"

@@ -87,11 +87,7 @@ std::unique_ptr<CellEstimator> makeCellEstimator(const EstimateSettings& setting
       return std::make_unique<SpreadEstimator>(
         frame, walks, settings.spreadPhotons, settings.separateSides);
     case CellEstimate::Gathered:
-      return std::make_unique<FinalGatherEstimator>(frame, walks,
-        FinalGatherEstimator::Settings{ settings.gatherRays,
-          walkSettings.targetRelativeError > 0 ? settings.maximumGatherRays : 0,
-          settings.gathersEverywhere, settings.unbiasedGather, walkSettings.seed,
-          walkSettings.verify });
+      return std::make_unique<FinalGatherEstimator>(frame, walks, settings, walkSettings);
     default:
       return std::make_unique<SumEstimator>(frame, walks);
   }

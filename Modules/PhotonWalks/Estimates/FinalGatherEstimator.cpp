@@ -57,16 +57,17 @@ void FinalGatherEstimator::update(const EstimateRounds& rounds, Execution& execu
   // The walks of the first round decide which cells cast rays: all rounds have the same paths, and
   // a cell does not stop casting rays because more walks are shot.
   roles_.emplace(frame().cells, walks().plan().walksAfter(1),
-    walks().isEmpty() ? 0 : settings_.rays, settings_.isEverywhere, !settings_.isUnbiased);
+    walks().isEmpty() ? 0 : settings_.gatherRays, settings_.gathersEverywhere,
+    !settings_.unbiasedGather);
   const CellShapes shapes = darkShapesOf(walks(), frame(), cancelPoint);
   const std::deque<PointDirectLight> lights =
-    lightsOf(walks(), frame(), settings_.seed, kSamplesOfHit);
+    lightsOf(walks(), frame(), seed_, kSamplesOfHit);
   const std::vector<bool> found = foundLamps(walks(), frame().cells.numbers());
   const std::vector<bool> uneven = unevenCells(shapes, *roles_, walks(), cancelPoint);
-  FinalGatherScene scene{ frame(), shapes, *roles_, all, settings_.isUnbiased ? nullptr : &direct,
+  FinalGatherScene scene{ frame(), shapes, *roles_, all, settings_.unbiasedGather ? nullptr : &direct,
     walks().staleSums(), rounds.walks, lights, found, uneven, firstRays(),
-    1 / walks().watts(1.0, rounds.walks), settings_.seed, keepsPaths() || settings_.mostRays > 0 };
-  scene.tellsNoise = settings_.mostRays > 0;
+    1 / walks().watts(1.0, rounds.walks), seed_, keepsPaths() || mostRays_ > 0 };
+  scene.tellsNoise = mostRays_ > 0;
   for (const WalkSet& set : walks().sets())
   {
     if (!set.source().cells && !set.source().areFoundByRays && !set.lights().isEmpty())
@@ -108,7 +109,7 @@ void FinalGatherEstimator::putTogether(
 
 std::uint32_t FinalGatherEstimator::firstRays() const
 {
-  return dealtRays(settings_.rays, walks().plan().replicates().count());
+  return dealtRays(settings_.gatherRays, walks().plan().replicates().count());
 }
 
 /// Of a single ray nothing is known: its noise counts for all that there is.
@@ -134,7 +135,7 @@ std::optional<double> FinalGatherEstimator::rayVariance(const CellSide& cell, in
 /// one.
 double FinalGatherEstimator::photonShare(const CellSide& cell) const
 {
-  const double eachDraws = settings_.isUnbiased ? 1 : roles_->fewestToRead();
+  const double eachDraws = settings_.unbiasedGather ? 1 : roles_->fewestToRead();
   const double drawn = eachDraws * static_cast<double>(numberOfRays()) * roles_->timesOf(cell);
   const WalkPlan& plan = walks().plan();
   const double expected = roles_->expectedOn(frame().cells.area(cell)) *

@@ -2,6 +2,7 @@
 #ifndef irradiance_FinalGatherEstimator_h
 #define irradiance_FinalGatherEstimator_h
 
+#include "Estimates/CellEstimate.h"
 #include "Estimates/CellEstimator.h"
 #include "FinalGather/FinalGather.h"
 
@@ -23,19 +24,13 @@ class FinalGatherEstimator
   , private PhotonShares
 {
 public:
-  struct Settings
-  {
-    std::uint32_t rays;     ///< of each side of a cell; rounded up to a multiple of the replicates
-    std::uint32_t mostRays; ///< likewise, if a target takes more; 0: no target
-    bool isEverywhere;      ///< all cells gather, not only small ones
-    bool isUnbiased;        ///< no sums are read
-    std::uint64_t seed;
-    bool keepsPaths; ///< for frames in which things have moved
-  };
-
-  FinalGatherEstimator(const Frame& frame, const WalkSets& walks, const Settings& settings)
+  FinalGatherEstimator(const Frame& frame, const WalkSets& walks, const EstimateSettings& settings,
+    const WalkSettings& walkSettings)
     : CellEstimator(frame, walks)
     , settings_(settings)
+    , seed_(walkSettings.seed)
+    , mostRays_(walkSettings.targetRelativeError > 0 ? settings.maximumGatherRays : 0)
+    , mayFollow_(walkSettings.verify)
   {
   }
 
@@ -48,7 +43,7 @@ public:
 
   std::size_t mostRayRounds() const override
   {
-    return roundsWithin(firstRays(), settings_.mostRays);
+    return roundsWithin(firstRays(), mostRays_);
   }
   std::uint64_t numberOfRays() const override { return raysAfter(firstRays(), rounds_.rays); }
   std::int64_t raySegments() const override { return gather_.segments(); }
@@ -67,15 +62,15 @@ private:
   std::optional<double> rayVariance(const CellSide& cell, int band) const override;
   std::uint32_t firstRays() const;
   /// For frames to come.
-  bool keepsPaths() const
-  {
-    return settings_.keepsPaths && !frame().objects.dynamicObjects.empty();
-  }
+  bool keepsPaths() const { return mayFollow_ && !frame().objects.dynamicObjects.empty(); }
   /// From what cells have themselves, and what was gathered for them.
   void putTogether(
     const FinalGatherScene& scene, const CellSums& direct, const CancelPoint& cancelPoint);
 
-  Settings settings_;
+  EstimateSettings settings_;
+  std::uint64_t seed_;
+  std::uint32_t mostRays_; ///< of a side, if a target takes more; 0: no target
+  bool mayFollow_;         ///< motions
   FinalGather gather_;
   EstimateRounds rounds_;          ///< of the last update
   std::optional<CellRoles> roles_; ///< of the last update

@@ -102,7 +102,7 @@ void addFields(const CellDiffusion& diffusion, std::size_t object, std::size_t c
 void diffuse(std::vector<DiffusingFields>& all, const std::function<void(DiffusingFields&)>& begin,
   const std::function<void(const DiffusingFields&)>& end, Execution& execution)
 {
-  runSliced(all.size(), execution, [&](std::size_t i, const Deadline& deadline) {
+  runSliced(all.size(), execution, [&](std::size_t i, const auto& hasToStop) {
     DiffusingFields& fields = all[i];
     if (fields.quanta.empty())
     {
@@ -112,7 +112,7 @@ void diffuse(std::vector<DiffusingFields>& all, const std::function<void(Diffusi
     {
       fields.diffusion->step(fields.stepsDone, fields.width(), fields.quanta, fields.before);
       ++fields.stepsDone;
-      if (deadline.hasPassed())
+      if (hasToStop())
       {
         return false;
       }

@@ -44,9 +44,9 @@ void* BlockArena::take()
     addSlab();
   }
   ++used_;
-  if (Free* const page = free_)
+  if (void* const page = free_)
   {
-    free_ = page->next;
+    free_ = *static_cast<void**>(page);
     return page;
   }
   void* const page = next_;
@@ -57,7 +57,7 @@ void* BlockArena::take()
 void BlockArena::giveBack(void* page) noexcept
 {
   const std::lock_guard<std::mutex> lock(mutex_);
-  free_ = new (page) Free{ free_ };
+  free_ = new (page) void*(free_);
   --used_;
 }
 

@@ -38,19 +38,14 @@ public:
   static constexpr std::size_t kAlignment = 64;
 
 private:
-  struct Free
-  {
-    Free* next;
-  };
-
   void addSlab();
   void freeSlabs();
 
   const std::size_t pageBytes_;
   mutable std::mutex mutex_;
   std::vector<std::byte*> slabs_;
-  std::size_t bytes_ = 0, used_ = 0;           ///< pages in use
-  Free* free_ = nullptr;                       ///< pages that were given back
+  std::size_t bytes_ = 0, used_ = 0; ///< pages in use
+  void* free_ = nullptr; ///< pages that were given back: each begins with where the next one is
   std::byte *next_ = nullptr, *end_ = nullptr; ///< of the last slab, never used yet
 };
 

@@ -7,7 +7,6 @@
 #include "Simd/SimdTarget.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <immintrin.h>
 

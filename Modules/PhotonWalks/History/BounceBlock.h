@@ -63,7 +63,7 @@ struct BounceColumns
  * Slots lie in pages of 256, taken from an arena. Links have 16 bits: what links lead from one part
  * of 64 K slots to another is listed aside. That takes 64 segments a walk.
  *
- * The cache of static hits (section 3.3 of the paper) stands beside it, by slot: see HiddenHits.
+ * The cache of static hits (section 3.3 of the paper) stands beside it, by slot: see HiddenHit.
  */
 class BounceBlock
 {
@@ -144,8 +144,6 @@ public:
   std::uint32_t lastOf(std::uint32_t walk) const;
   std::uint32_t bounceOf(std::uint32_t slot) const;
   SegmentRef segmentAt(std::uint32_t slot) const { return { walkOf(slot), bounceOf(slot) }; }
-  /// The number of segments of a walk.
-  std::uint32_t size(std::uint32_t walk) const;
 
   // What is known of a segment.
   /// kNone if it escapes.
@@ -214,13 +212,8 @@ private:
   static constexpr std::uint32_t kPart = 1u << 16;
 
   static std::uint32_t partOf(std::uint32_t slot) { return slot & ~(kPart - 1); }
-  BouncePage& pageOf(std::uint32_t slot) { return *pages_[slot / BouncePage::kSize]; }
-  const BouncePage& pageOf(std::uint32_t slot) const { return *pages_[slot / BouncePage::kSize]; }
-  BounceRecord& record(std::uint32_t slot)
-  {
-    return pageOf(slot).records[slot % BouncePage::kSize];
-  }
-  const BounceRecord& record(std::uint32_t slot) const
+  BouncePage& pageOf(std::uint32_t slot) const { return *pages_[slot / BouncePage::kSize]; }
+  BounceRecord& record(std::uint32_t slot) const
   {
     return pageOf(slot).records[slot % BouncePage::kSize];
   }

@@ -184,24 +184,16 @@ inline unsigned flagNearAny(const GridEnds& ends, const PageScan& scan)
   return flagged;
 }
 
-/// How a scan tests bodies: few large ones at once, as their balls would cost registers; after
-/// their balls; after lines.
-enum class Tests
-{
-  Bodies,
-  Balls,
-  Lines
-};
-
-/// Flags which of kGroupSize segments come near a body, from `place` of a page on.
-template <Tests kTests>
+/// Flags which of kGroupSize segments come near a body, from `place` of a page on. Without their
+/// balls, which would cost registers, for few large bodies.
+template <bool kAfterBalls>
 inline unsigned flagGroup(const BouncePage& page, std::size_t place, const PageScan& scan)
 {
   unsigned flagged = 0;
   for (std::size_t i = 0; i < PageScan::kGroupSize && scan.numberOfBodies > 0; i += Lanes::kFloats)
   {
     const GridEnds ends(page, place + i); // stays in registers
-    if constexpr (kTests == Tests::Balls)
+    if constexpr (kAfterBalls)
     {
       flagged |= flagNearAny(ends, scan) << i;
       continue;
@@ -336,7 +328,7 @@ inline void flagAfterLines(
   }
 }
 
-template <Tests kTests>
+template <bool kAfterBalls, bool kAfterLines>
 inline void scanAll(const PageScan& scan)
 {
   for (std::size_t i = 0; i < scan.numberOfPages; ++i)
@@ -344,21 +336,21 @@ inline void scanAll(const PageScan& scan)
     const BouncePage& page = *scan.pages[i];
     const BouncePage* const next = i + 1 < scan.numberOfPages ? scan.pages[i + 1] : scan.next;
     std::uint16_t* const flagged = scan.flagged + i * PageScan::kGroups;
-    constexpr bool isByLines = kTests == Tests::Lines;
-    if constexpr (isByLines)
+    if constexpr (kAfterLines)
     {
       std::fill_n(flagged, PageScan::kGroups, std::uint16_t{ 0 });
       flagAfterLines(page, next, scan, flagged);
     }
     for (std::size_t group = 0; group < PageScan::kGroups; ++group)
     {
-      if (!isByLines && next != nullptr)
+      if (!kAfterLines && next != nullptr)
       {
         scan.numberOfBodies > 0 ? prefetchShare(next, group)
                                 : prefetchLine(next->tags + group * PageScan::kGroupSize);
       }
       const std::size_t place = group * PageScan::kGroupSize;
-      const unsigned near = isByLines ? flagged[group] : flagGroup<kTests>(page, place, scan);
+      const unsigned near =
+        kAfterLines ? flagged[group] : flagGroup<kAfterBalls>(page, place, scan);
       flagged[group] = static_cast<std::uint16_t>(
         (near | Lanes::tagged(page.tags + place, scan.tags)) & Lanes::stored(page.tags + place));
     }
@@ -368,9 +360,9 @@ inline void scanAll(const PageScan& scan)
 inline void scanPages(const PageScan& scan)
 {
   constexpr std::uint32_t kFewestForLines = 8; // to find them takes as long as some balls
-  !scan.areSmall                            ? scanAll<Tests::Bodies>(scan)
-    : scan.numberOfBodies < kFewestForLines ? scanAll<Tests::Balls>(scan)
-                                            : scanAll<Tests::Lines>(scan);
+  !scan.areSmall                            ? scanAll<false, false>(scan)
+    : scan.numberOfBodies < kFewestForLines ? scanAll<true, false>(scan)
+                                            : scanAll<true, true>(scan);
 }
 
 }

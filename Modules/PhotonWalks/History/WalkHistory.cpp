@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "History/WalkHistory.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace irradiance
@@ -90,9 +89,9 @@ void WalkHistory::setKinds(
 
 void WalkHistory::forgetHiddenHits()
 {
-  for (HiddenHits& hidden : hidden_)
+  for (auto& hidden : hidden_)
   {
-    hidden.forgetAll();
+    hidden.clear();
   }
 }
 
@@ -101,7 +100,8 @@ std::size_t WalkHistory::bytes() const
   std::size_t bytes = kinds_.capacity();
   for (std::size_t i = 0; i < blocks_.size(); ++i)
   {
-    bytes += blocks_[i].bytes() + hidden_[i].bytes();
+    bytes += blocks_[i].bytes() + hidden_[i].bucket_count() * sizeof(void*) +
+      hidden_[i].size() * (sizeof(std::pair<const std::uint32_t, HiddenHit>) + 2 * sizeof(void*));
   }
   return bytes;
 }

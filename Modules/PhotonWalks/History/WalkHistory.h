@@ -43,7 +43,9 @@ struct SegmentPlace
   std::uint32_t slot;
 };
 
-/// The closest static hit along the ray of a segment that ends before it, on a dynamic object.
+/// The closest static hit along the ray of a segment that ends before it, on a dynamic object. The
+/// cache of these (section 3.3 of the paper) keeps a hit as long as a dynamic object hides it; when
+/// the object has moved away, the static tree need not be searched.
 struct HiddenHit
 {
   static constexpr std::uint32_t kUnknown = 0xfffffffeu; ///< not TriangleId::kNone, which is known
@@ -53,32 +55,6 @@ struct HiddenHit
   float weights[2] = { 0, 0 };
 
   bool isKnown() const { return triangle != kUnknown; }
-};
-
-/**
- * The cache of static hits of a block (section 3.3 of the paper), by slot. A hit is kept as long as
- * a dynamic object hides it; when the object has moved away, the static tree need not be searched.
- */
-class HiddenHits
-{
-public:
-  bool isEmpty() const { return hits_.empty(); }
-  HiddenHit find(std::uint32_t slot) const
-  {
-    const auto found = hits_.find(slot);
-    return found == hits_.end() ? HiddenHit{} : found->second;
-  }
-  void set(std::uint32_t slot, const HiddenHit& hit) { hits_[slot] = hit; }
-  void forget(std::uint32_t slot) { hits_.erase(slot); }
-  void forgetAll() { hits_.clear(); }
-  std::size_t bytes() const
-  {
-    return hits_.size() * (sizeof(decltype(hits_)::value_type) + 2 * sizeof(void*)) +
-      hits_.bucket_count() * sizeof(void*);
-  }
-
-private:
-  std::unordered_map<std::uint32_t, HiddenHit> hits_;
 };
 
 /**
@@ -116,8 +92,6 @@ public:
     const std::size_t block = indexOf(segment.walk);
     return { block, blocks_[block].slotOf(segment) };
   }
-  /// The number of segments of a walk.
-  std::uint32_t size(std::uint32_t walk) const { return blocks_[indexOf(walk)].size(walk); }
 
   /// Changes to a plan that has more rounds.
   void extend(const WalkPlan& plan) { plan_ = plan; }
@@ -133,18 +107,26 @@ public:
   template <class Visit>
   void removeFrom(const SegmentPlace& first, const Visit& visit)
   {
-    HiddenHits& hidden = hidden_[first.block];
+    auto& hidden = hidden_[first.block];
     blocks_[first.block].removeFrom(first.slot, [&](std::uint32_t slot) {
       visit(slot);
-      if (!hidden.isEmpty())
+      if (!hidden.empty())
       {
-        hidden.forget(slot);
+        hidden.erase(slot);
       }
     });
   }
 
-  HiddenHits& hidden(std::size_t block) { return hidden_[block]; }
-  const HiddenHits& hidden(std::size_t block) const { return hidden_[block]; }
+  /// What the cache knows of a segment.
+  HiddenHit hidden(const SegmentPlace& place) const
+  {
+    const auto found = hidden_[place.block].find(place.slot);
+    return found == hidden_[place.block].end() ? HiddenHit{} : found->second;
+  }
+  void setHidden(const SegmentPlace& place, const HiddenHit& hit)
+  {
+    hidden_[place.block][place.slot] = hit;
+  }
   void forgetHiddenHits();
 
   /// Memory held.
@@ -158,12 +140,6 @@ public:
   /// The hit without its distance.
   Hit hit(const SegmentRef& segment) const { return hit(placeOf(segment)); }
   Hit hit(const SegmentPlace& place) const { return hitAt(blocks_[place.block], place.slot); }
-  /// Whether it hits the front.
-  bool isFront(const SegmentRef& segment) const
-  {
-    const SegmentPlace place = placeOf(segment);
-    return blocks_[place.block].isFront(place.slot);
-  }
 
   /// Calls visit(Photon) for each photon that segments of a walk brought, from this one on, in
   /// order.
@@ -215,7 +191,7 @@ private:
   DealtBlocks dealt_;
   std::shared_ptr<BlockArena> arena_; ///< outlives the blocks
   std::vector<BounceBlock> blocks_;
-  std::vector<HiddenHits> hidden_; ///< by block
+  std::vector<std::unordered_map<std::uint32_t, HiddenHit>> hidden_; ///< by block, then by slot
 };
 
 /// The histories of all sets of walks, ordered by the numbers of their walks.

@@ -9,7 +9,6 @@
 
 #include <atomic>
 #include <cstdint>
-#include <mutex>
 #include <vector>
 
 namespace irradiance
@@ -57,11 +56,11 @@ private:
 
   std::vector<Unit> unitsOf(const std::vector<std::uint32_t>& walks) const;
   bool work(Unit& unit, const std::vector<std::uint32_t>& walks, TimeBudget* budget,
-    const Deadline& deadline);
+    const std::function<bool()>& hasToStop);
   /// Puts the next walks of a unit into a batch; false if there are none or the time is up.
   bool begin(Unit& unit, const std::vector<std::uint32_t>& walks, TimeBudget* budget);
   /// Returns whether they have ended.
-  bool run(Unit& unit, bool isNew, const Deadline& deadline);
+  bool run(Unit& unit, bool isNew, const std::function<bool()>& hasToStop);
 
   State state_;
   std::mutex mutex_; ///< of the balance

@@ -18,16 +18,15 @@ namespace
 constexpr std::size_t kUnits = 32; // at least, if there are as many marked walks; for all threads
 constexpr std::size_t kBatchSize = 512;
 
-/// A pass over all blocks: work(first, end, unit, deadline) on those of a unit.
+/// A pass over all blocks: work(first, end, unit, hasToStop) on those of a unit.
 template <class Work>
 void passOver(const WalkHistory& history, Execution& execution, const Work& work)
 {
   constexpr std::size_t kBlocks = 32; // verified and repaired together
   const std::size_t all = history.size();
-  runSliced(
-    (all + kBlocks - 1) / kBlocks, execution, [&](std::size_t unit, const Deadline& deadline) {
-      return work(unit * kBlocks, std::min((unit + 1) * kBlocks, all), unit, deadline);
-    });
+  runSliced((all + kBlocks - 1) / kBlocks, execution, [&](std::size_t unit, const auto& hasToStop) {
+    return work(unit * kBlocks, std::min((unit + 1) * kBlocks, all), unit, hasToStop);
+  });
 }
 
 }
@@ -58,7 +57,7 @@ void WalkRepair::verifyAndRepair(Execution& execution)
 {
   std::vector<std::unique_ptr<RepairWork>> open(state_.history.size()); // by unit
   passOver(state_.history, execution,
-    [&](std::size_t first, std::size_t end, std::size_t unit, const Deadline& deadline) {
+    [&](std::size_t first, std::size_t end, std::size_t unit, const auto& hasToStop) {
       if (!open[unit])
       {
         open[unit] = take();
@@ -70,7 +69,7 @@ void WalkRepair::verifyAndRepair(Execution& execution)
         figures_.invalidWalks += static_cast<std::int64_t>(open[unit]->batch.front().size);
       }
       const Stopwatch stopwatch;
-      const bool isDone = shoot(*open[unit], deadline);
+      const bool isDone = shoot(*open[unit], hasToStop);
       if (isDone)
       {
         finish(open[unit]);
@@ -88,8 +87,8 @@ void WalkRepair::verifyAndMark(StaleWalks& stale, Execution& execution)
   {
     known.push_back(&std::as_const(stale).marks(block));
   }
-  passOver(state_.history, execution,
-    [&](std::size_t first, std::size_t end, std::size_t, const Deadline&) {
+  passOver(
+    state_.history, execution, [&](std::size_t first, std::size_t end, std::size_t, const auto&) {
       std::unique_ptr<RepairWork> work = take();
       state_.verifier.find(first, end, known, work->verifier, work->batch.front());
       const WalkFront& rows = work->batch.front();
@@ -114,7 +113,12 @@ void WalkRepair::verifyAndMark(StaleWalks& stale, Execution& execution)
 
 void WalkRepair::repair(StaleWalks& stale, TimeBudget* budget, Execution& execution)
 {
-  const std::vector<PowerClass> order = classes(stale, budget);
+  // Each class is large enough to fill the batches of all threads. If there is time for all, so is
+  // the only one.
+  constexpr std::size_t kForAUnit = 128;
+  const std::size_t enough = kForAUnit * std::min(kUnits, state_.history.size());
+  const std::vector<PowerClass> order =
+    stale.classes(budget ? enough : std::numeric_limits<std::size_t>::max());
   double all = 0, done = 0;
   for (const PowerClass& like : order)
   {
@@ -130,23 +134,14 @@ void WalkRepair::repair(StaleWalks& stale, TimeBudget* budget, Execution& execut
     const double from = done / all;
     done += static_cast<double>(like.size);
     ProgressSpan span(execution, from, done / all);
-    runSliced(parts.size(), span, [&](std::size_t i, const Deadline& deadline) {
-      return work(parts[i], stale, budget, deadline);
+    runSliced(parts.size(), span, [&](std::size_t i, const auto& hasToStop) {
+      return work(parts[i], stale, budget, hasToStop);
     });
   }
   for (std::size_t block = 0; block < state_.history.size(); ++block)
   {
     stale.forgetRepaired(block);
   }
-}
-
-/// Each is large enough to fill the batches of all threads. If there is time for all, so is the
-/// only one.
-std::vector<PowerClass> WalkRepair::classes(const StaleWalks& stale, bool hasBudget) const
-{
-  constexpr std::size_t kForAUnit = 128;
-  const std::size_t enough = kForAUnit * std::min(kUnits, state_.history.size());
-  return stale.classes(hasBudget ? enough : std::numeric_limits<std::size_t>::max());
 }
 
 /// A block has few stale walks. So walks of several blocks are shot together, as long as that
@@ -172,13 +167,14 @@ std::vector<WalkRepair::Unit> WalkRepair::units(StaleWalks& stale, const PowerCl
   return units;
 }
 
-bool WalkRepair::work(Unit& unit, StaleWalks& stale, TimeBudget* budget, const Deadline& deadline)
+bool WalkRepair::work(
+  Unit& unit, StaleWalks& stale, TimeBudget* budget, const std::function<bool()>& hasToStop)
 {
   const auto now = [&] { return budget ? budget->now() : 0; }; // without a budget no clock is read
   while (unit.open || (unit.open = begin(unit, stale, budget)))
   {
     const double start = now();
-    const bool isDone = shoot(*unit.open, deadline);
+    const bool isDone = shoot(*unit.open, hasToStop);
     if (isDone)
     {
       finish(unit.open);
@@ -192,7 +188,7 @@ bool WalkRepair::work(Unit& unit, StaleWalks& stale, TimeBudget* budget, const D
     {
       budget->spend(unit.seconds, unit.walks);
     }
-    if (deadline.hasPassed())
+    if (hasToStop())
     {
       return false;
     }
@@ -286,7 +282,7 @@ void WalkRepair::remove(RepairWork& work, std::size_t row)
     place, [&](std::uint32_t slot) { addStored(block, slot, state_.history.bands(), work.old); });
 }
 
-bool WalkRepair::shoot(RepairWork& work, const Deadline& deadline)
+bool WalkRepair::shoot(RepairWork& work, const std::function<bool()>& hasToStop)
 {
   PowerBalance balance;
   bool isDone = true;
@@ -299,7 +295,7 @@ bool WalkRepair::shoot(RepairWork& work, const Deadline& deadline)
       removeOld(work, tally);
       work.batch.resume(state_.changes || !work.verifier.hidden.empty());
     }
-    isDone = work.batch.run(tally, [&] { return deadline.hasPassed(); });
+    isDone = work.batch.run(tally, hasToStop);
   }
   addLocked(balance, state_.balance, mutex_);
   return isDone;
@@ -312,7 +308,7 @@ void WalkRepair::finish(std::unique_ptr<RepairWork>& work)
   {
     if (work->verifier.hidden[i].isKnown())
     {
-      state_.history.hidden(places[i].block).set(places[i].slot, work->verifier.hidden[i]);
+      state_.history.setHidden(places[i], work->verifier.hidden[i]);
     }
   }
   for (std::size_t i = 0; state_.changes && i < places.size(); ++i)

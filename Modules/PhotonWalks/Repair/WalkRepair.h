@@ -79,9 +79,9 @@ public:
 private:
   struct Unit;
 
-  std::vector<PowerClass> classes(const StaleWalks& stale, bool hasBudget) const;
   std::vector<Unit> units(StaleWalks& stale, const PowerClass& like) const;
-  bool work(Unit& unit, StaleWalks& stale, TimeBudget* budget, const Deadline& deadline);
+  bool work(
+    Unit& unit, StaleWalks& stale, TimeBudget* budget, const std::function<bool()>& hasToStop);
   /// The next walks of a unit; null if there are none or the time is up.
   std::unique_ptr<RepairWork> begin(Unit& unit, StaleWalks& stale, TimeBudget* budget);
 
@@ -90,7 +90,7 @@ private:
   void removeOld(RepairWork& work, FrontTally& tally);
   void remove(RepairWork& work, std::size_t row);
   /// Shoots the new ones; returns whether they are done.
-  bool shoot(RepairWork& work, const Deadline& deadline);
+  bool shoot(RepairWork& work, const std::function<bool()>& hasToStop);
   void finish(std::unique_ptr<RepairWork>& work);
 
   State state_;

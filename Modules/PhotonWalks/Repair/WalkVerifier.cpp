@@ -198,7 +198,7 @@ void WalkVerifier::add(std::size_t number, std::uint32_t slot, bool isLost, Memo
   const BounceBlock& block = history_.block(number);
   const bool isTouched = isTouching(block, slot);
   const bool mayHide = cachesStaticHits_ && !isTouched && isDynamic(block.triangle(slot));
-  const HiddenHit hidden = mayHide ? history_.hidden(number).find(slot) : HiddenHit{};
+  const HiddenHit hidden = mayHide ? history_.hidden({ number, slot }) : HiddenHit{};
   Suspects& suspects = isTouched ? memory.lost
     : !isLost                    ? memory.blocked
     : hidden.isKnown()           ? memory.uncovered

@@ -24,7 +24,7 @@ class WalkVerifier
 {
 public:
   /// `moved[i]`: the i-th dynamic object has another pose or shape than in the stored frame. `scan`
-  /// flags all segments that these objects may change. `cachesStaticHits`: see HiddenHits.
+  /// flags all segments that these objects may change. `cachesStaticHits`: see HiddenHit.
   WalkVerifier(const WalkTracer& tracer, const WalkHistory& history, const std::vector<bool>& moved,
     const BounceScan& scan, bool cachesStaticHits);
 

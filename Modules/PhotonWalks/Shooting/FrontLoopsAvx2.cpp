@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #ifdef __x86_64__
 
-#include "Sampling/CosineDirectionInFloat.h"
+#include "Sampling/DirectionSampling.h"
 #include "Shooting/FrontLoops.h"
 #include "Simd/Prefetch.h"
 #include "Simd/SimdTarget.h"

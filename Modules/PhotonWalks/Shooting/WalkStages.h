@@ -5,7 +5,7 @@
 #include "DirectLight/DirectGather.h"
 #include "Lights/LightTable.h"
 #include "Meshes/SurfacePoint.h"
-#include "Sampling/BounceKeys.h"
+#include "Sampling/SampleGroup.h"
 #include "Shooting/FrontTally.h"
 #include "Shooting/WalkFront.h"
 #include "Surfaces/Absorption.h"

@@ -124,7 +124,7 @@ void WalkSet::shootBlocks(
   const std::size_t units =
     lights().isEmpty() ? 0 : (end - first + kBlocksTogether - 1) / kBlocksTogether;
   std::vector<std::unique_ptr<WalkBatch>> open(units);
-  runSliced(units, execution, [&](std::size_t unit, const Deadline& deadline) {
+  runSliced(units, execution, [&](std::size_t unit, const auto& hasToStop) {
     PowerBalance balance;
     bool isDone = true;
     {
@@ -138,7 +138,7 @@ void WalkSet::shootBlocks(
         fill(*open[unit], begin, std::min(begin + kBlocksTogether, end), tracer.stages().bands());
         open[unit]->start(tally);
       }
-      isDone = open[unit]->run(tally, [&] { return deadline.hasPassed(); });
+      isDone = open[unit]->run(tally, hasToStop);
     }
     if (isDone)
     {
