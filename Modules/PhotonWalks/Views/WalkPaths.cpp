@@ -132,7 +132,9 @@ bool WalkPaths::beginsOn(const SceneCell& cell, const WalkSet& set, std::uint32_
     const TriangleId id = engine_.frame().triangles.idOf(sample.triangle);
     return engine_.sums().cellOf(id) == cell || set.lights()[sample.light].cell == cell;
   }
-  return emits(cell) && walks_.stages(walk).lightOf(walk).cell == cell;
+  // Of a cell that does not emit no sample has to be drawn.
+  const auto& emission = engine_.objects()[cell.object].emission;
+  return emission && emission->emits(cell.cell) && walks_.stages(walk).lightOf(walk).cell == cell;
 }
 
 std::vector<std::uint32_t> WalkPaths::touching(
