@@ -46,12 +46,10 @@ TEST(AutomaticExposure, OfARideUnderALampIsTheClosedForm)
   const auto observer = ErrorObserver::Watch(exposure);
   exposure->Update();
   EXPECT_TRUE(observer->Warnings.empty() && observer->Errors.empty());
-  std::cout << FieldOf(exposure, "NumberOfTimeSteps") << " steps\n";
   for (int row = 0; row < StripLamp::Rows; ++row)
   {
     const double exact = StripLamp::ExposureOfRow(row);
     const double dose = ExposureOf(exposure, 1, 0)->GetComponent(row, 0);
-    std::cout << "row " << row << ": " << dose << " J/m2, exact " << exact << "\n";
     EXPECT_NEAR(dose, exact, 0.04 * exact);
   }
 }
@@ -119,11 +117,10 @@ TEST(AutomaticExposure, ContinuesAfterAnAbort)
       };
     }
     const auto exposure = MakeDefault(square), whole = MakeDefault(other);
-    vtkNew<Aborter> aborter;
-    exposure->AddObserver(vtkCommand::ProgressEvent, aborter);
+    const auto aborter = EventObserver::Watch(exposure);
     for (const int events : { 2, 3, 0 }) // first after the look between steps
     {
-      aborter->Events = events;
+      aborter->AbortIn = events;
       exposure->SetAbortExecute(0);
       exposure->Modified();
       exposure->Update();
