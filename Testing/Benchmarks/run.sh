@@ -99,20 +99,17 @@ cd "$build/results"
 if [[ $part != accuracy ]]; then
   measure BenchmarkRayCasting "300000 5" "10000 2"
   measure BenchmarkTraversalModes "" "10000 2"
-  measure BenchmarkFarAndMany "" "5000 1"
   measure BenchmarkMovingTeapot "1000000 5" "20000 2 2"
   measure BenchmarkShooting "" "20000 2"
   measure BenchmarkGathering "" "20000 2 16 64"
-  measure BenchmarkGatherTarget "" "5000 10000 1 1"
   measure BenchmarkSensors "" "20000 2 200 64 1"
   measure BenchmarkRepairBudget "" "20000 2"
   measure BenchmarkRanks "" "20000 2"
   measure BenchmarkPhotonStores "1000000 11" "20000 2"
-  measure BenchmarkRadiance "" "20000 1 4"
   measure BenchmarkNearestPhotons "" "20000 2 1000"
   measure BenchmarkPython "" "2 20"
   measure BenchmarkParaView "" "20000 3"
-  write_page Performance Benchmark{RayCasting,TraversalModes,FarAndMany,Shooting,Gathering,GatherTarget,Sensors,MovingTeapot,RepairBudget,Ranks,PhotonStores,Radiance,NearestPhotons,Python,ParaView}.csv
+  write_page Performance Benchmark{RayCasting,TraversalModes,Shooting,Gathering,Sensors,MovingTeapot,RepairBudget,Ranks,PhotonStores,NearestPhotons,Python,ParaView}.csv
 fi
 if [[ $part != performance ]]; then
   measure BenchmarkDirectLight "15 $documentation/pictures/DirectLight.png $documentation/pictures/CellsInTheSameTime.png" "2"
