@@ -98,7 +98,6 @@ mkdir -p "$build/results"
 cd "$build/results"
 if [[ $part != accuracy ]]; then
   measure BenchmarkRayCasting "300000 5" "10000 2"
-  measure BenchmarkTraversalModes "" "10000 2"
   measure BenchmarkMovingTeapot "1000000 5" "20000 2 2"
   measure BenchmarkShooting "" "20000 2"
   measure BenchmarkGathering "" "20000 2 16 64"
@@ -109,7 +108,7 @@ if [[ $part != accuracy ]]; then
   measure BenchmarkNearestPhotons "" "20000 2 1000"
   measure BenchmarkPython "" "2 20"
   measure BenchmarkParaView "" "20000 3"
-  write_page Performance Benchmark{RayCasting,TraversalModes,Shooting,Gathering,Sensors,MovingTeapot,RepairBudget,Ranks,PhotonStores,NearestPhotons,Python,ParaView}.csv
+  write_page Performance Benchmark{RayCasting,Shooting,Gathering,Sensors,MovingTeapot,RepairBudget,Ranks,PhotonStores,NearestPhotons,Python,ParaView}.csv
 fi
 if [[ $part != performance ]]; then
   measure BenchmarkDirectLight "15 $documentation/pictures/DirectLight.png $documentation/pictures/CellsInTheSameTime.png" "2"

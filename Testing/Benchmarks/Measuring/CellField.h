@@ -36,7 +36,7 @@ inline CellField areasOf(const irradiance::SceneObjects& objects)
 inline CellField irradianceOf(
   const irradiance::IrradianceEngine& engine, const irradiance::SceneObjects& objects)
 {
-  return fieldOf(objects, [&](std::uint32_t object, std::size_t cell, double area) {
+  return fieldOf(objects, [&](std::uint32_t object, std::size_t cell, double) {
     return engine.irradiance({ object, cell }, 0);
   });
 }

@@ -22,7 +22,6 @@
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
 #include "Rivals/Contest.h"
-#include "Rivals/EmbreeScene.h"
 #include "Scenes/LightingScenes.h"
 
 #include <algorithm>

@@ -20,7 +20,6 @@
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
 #include "Rivals/Contest.h"
-#include "Rivals/EmbreeScene.h"
 #include "Rivals/PlainGatherer.h"
 #include "Scenes/PlainRoom.h"
 

@@ -29,7 +29,6 @@
 #include "Measuring/Results.h"
 #include "Photons/NearestEstimate.h"
 #include "Rivals/Contest.h"
-#include "Rivals/EmbreeScene.h"
 #include "Rivals/PlainGatherer.h"
 #include "Scenes/PlainRoom.h"
 #include "Scenes/SurfaceSensors.h"

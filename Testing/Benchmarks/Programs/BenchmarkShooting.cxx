@@ -15,7 +15,6 @@
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
 #include "Rivals/Contest.h"
-#include "Rivals/EmbreeScene.h"
 #include "Scenes/DragonRoom.h"
 #include "Scenes/PlainRoom.h"
 #include "Simd/SimdLevel.h"
