@@ -103,11 +103,10 @@ if [[ $part != accuracy ]]; then
   measure BenchmarkGathering "" "20000 2 16 64"
   measure BenchmarkSensors "" "20000 2 200 64 1"
   measure BenchmarkRanks "" "20000 2"
-  measure BenchmarkPhotonStores "1000000 11" "20000 2"
-  measure BenchmarkNearestPhotons "" "20000 2 1000"
+  measure BenchmarkPhotonStores "" "20000 2 1000"
   measure BenchmarkPython "" "2 20"
   measure BenchmarkParaView "" "20000 3"
-  write_page Performance Benchmark{RayCasting,Shooting,Gathering,Sensors,MovingTeapot,Ranks,PhotonStores,NearestPhotons,Python,ParaView}.csv
+  write_page Performance Benchmark{RayCasting,Shooting,Gathering,Sensors,MovingTeapot,Ranks,PhotonStores,Python,ParaView}.csv
 fi
 if [[ $part != performance ]]; then
   measure BenchmarkDirectLight "15 $documentation/pictures/DirectLight.png $documentation/pictures/CellsInTheSameTime.png" "2"
