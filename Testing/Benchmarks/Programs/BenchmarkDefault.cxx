@@ -21,7 +21,7 @@
 #include "Measuring/HalvedTruth.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
-#include "Rivals/Contest.h"
+#include "Measuring/Shot.h"
 #include "Scenes/LightingScenes.h"
 
 #include <algorithm>

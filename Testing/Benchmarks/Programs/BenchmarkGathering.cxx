@@ -19,7 +19,7 @@
 #include "Measuring/HalvedTruth.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
-#include "Rivals/Contest.h"
+#include "Measuring/Shot.h"
 #include "Rivals/PlainGatherer.h"
 #include "Scenes/PlainRoom.h"
 
