@@ -73,7 +73,7 @@ measure()
     program=(env VTK_SMP_BACKEND_IN_USE=STDThread "PV_PLUGIN_PATH=$(echo "$build"/paraview/lib/paraview-*/plugins)"
       "$home/Utilities/run-under-xvfb.sh" "$sdk/usr/bin/pvpython" "${program[@]:2}")
   # One thread, and a display for the picture.
-  [[ $1 != BenchmarkDirectLight ]] ||
+  [[ $1 != BenchmarkMethods ]] ||
     program=(env VTK_SMP_BACKEND_IN_USE=Sequential "$home/Utilities/run-under-xvfb.sh" "${program[@]}")
   # As root in a container, without a shell to other machines.
   [[ $1 != BenchmarkRanks ]] ||
@@ -109,9 +109,9 @@ if [[ $part != accuracy ]]; then
   write_page Performance Benchmark{RayCasting,Shooting,Gathering,Sensors,MovingTeapot,Ranks,PhotonStores,Python,ParaView}.csv
 fi
 if [[ $part != performance ]]; then
-  measure BenchmarkDirectLight "15 $documentation/pictures/DirectLight.png $documentation/pictures/CellsInTheSameTime.png" "2"
+  measure BenchmarkMethods "15 $documentation/pictures/DirectLight.png $documentation/pictures/CellsInTheSameTime.png" "2"
   measure BenchmarkDefault "" "20000 1 0 3"
   measure BenchmarkAccuracy "" "65536 1"
   measure BenchmarkCellEstimates "" "100000 1 400000"
-  write_page SpeedAndAccuracy Benchmark{DirectLight,Default,Accuracy,CellEstimates}.csv
+  write_page SpeedAndAccuracy Benchmark{Methods,Default,Accuracy,CellEstimates}.csv
 fi
