@@ -2,7 +2,6 @@
 #include "Scene/FrontSearch.h"
 
 #include "Kernels/IntersectionLanes.h"
-#include "Progress/StageTimes.h"
 
 #include <algorithm>
 
@@ -22,10 +21,8 @@ void FrontSearch::run(const TriangleTree& tree, const TriangleMesh& mesh, const 
   descent_.run(tree, rays_,
     { reinterpret_cast<const char*>(corners.first), corners.stride * sizeof(double), kCorners },
     *this);
-  StageClock clock;
   confirmFront(rays_, descent_.candidates(), corners);
   confirmFurther();
-  clock.ends(Stage::Confirm);
 }
 
 void FrontSearch::confirmFurther()
