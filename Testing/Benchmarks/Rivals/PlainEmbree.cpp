@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rivals/PlainEmbree.h"
 
-#include "Rivals/PlainSource.h"
-
 #include <cmath>
 #include <cstring>
 #include <limits>
