@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Subpath.h"
 
-
 #include <utility>
 
 namespace pathtracedroom
