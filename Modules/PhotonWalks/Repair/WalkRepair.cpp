@@ -3,7 +3,6 @@
 
 #include "Execution/ProgressSpan.h"
 #include "Execution/Stopwatch.h"
-#include "Progress/StageTimes.h"
 
 #include <algorithm>
 #include <limits>
@@ -231,7 +230,6 @@ void WalkRepair::removeOld(RepairWork& work, FrontTally& tally)
   constexpr std::size_t kAhead = 12;
   WalkFront& rows = work.batch.front();
   const int bands = state_.history.bands();
-  StageClock clock;
   Power starting;
   work.old.size = 0;
   for (std::size_t row = 0; row < rows.size; ++row)
@@ -260,7 +258,6 @@ void WalkRepair::removeOld(RepairWork& work, FrontTally& tally)
     remove(work, row);
   }
   tally.remove(work.old, starting);
-  clock.ends(Stage::Remove);
 }
 
 void WalkRepair::remove(RepairWork& work, std::size_t row)

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/WalkVerifier.h"
 
-#include "Progress/StageTimes.h"
-
 #include <algorithm>
 
 namespace irradiance
@@ -92,14 +90,12 @@ void WalkVerifier::choose(Memory& memory, const IsChosen& isChosen, WalkFront& s
 void WalkVerifier::find(std::size_t first, std::size_t end,
   const std::vector<const StaleMarks*>& known, Memory& memory, WalkFront& stale) const
 {
-  StageClock clock;
   memory.slots.resize(std::max(memory.slots.size(), end - first));
   for (std::size_t block = first; block < end; ++block)
   {
     scan_.find(history_.block(block), history_.block(std::min(block + 1, end - 1)),
       memory.slots[block - first]);
   }
-  clock.ends(Stage::Scan);
   memory.firstStale.assign((end - first) * WalkPlan::kWalksPerBlock, BounceBlock::kNone);
   memory.clear();
   const auto prefetchHits = [&](std::size_t block) {
@@ -117,13 +113,10 @@ void WalkVerifier::find(std::size_t first, std::size_t end,
     sort(block, memory.slots[block - first], known.empty() ? nullptr : known[block], firstStale,
       memory);
   }
-  clock.ends(Stage::Sort);
   findRays(memory);
   suspects_ += static_cast<std::int64_t>(
     memory.blocked.rows.size + memory.lost.rows.size + memory.uncovered.rows.size);
-  clock.ends(Stage::Rays);
   cast(memory, false);
-  clock.restarts(); // the cast has a clock of its own
   noteFirst(first, memory);
   choose(
     memory,
@@ -131,7 +124,6 @@ void WalkVerifier::find(std::size_t first, std::size_t end,
       return rows.bounce[row] == memory.firstStale[walkAt(rows, row, first)];
     },
     stale);
-  clock.ends(Stage::Sort);
 }
 
 void WalkVerifier::castAgain(

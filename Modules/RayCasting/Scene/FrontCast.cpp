@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/FrontCast.h"
 
-#include "Progress/StageTimes.h"
 
 #include <algorithm>
 
@@ -146,7 +145,6 @@ void FrontCast::castStatic(
 void FrontCast::castMixed(const Scene& scene, const Scene::MixedTree& mixed,
   const FrontTriangles& triangles, const FrontRays& rays)
 {
-  StageClock clock;
   start_.need(TreeRays::roomFor(rays.count));
   for (std::uint32_t ray = 0; ray < rays.count; ++ray)
   {
@@ -154,7 +152,6 @@ void FrontCast::castMixed(const Scene& scene, const Scene::MixedTree& mixed,
   }
   TreeRays world = inWorld(rays, static_cast<std::uint32_t>(mixed.ids.size()));
   world.start = start_.data();
-  clock.ends(Stage::PreTest);
   tests_.clear();
   for (const auto& [ray, reference] : pairs_.find(mixed.tree, world))
   {
@@ -167,11 +164,9 @@ void FrontCast::castMixed(const Scene& scene, const Scene::MixedTree& mixed,
 void FrontCast::castBody(
   const Scene& scene, std::uint32_t index, const FrontTriangles& triangles, const FrontRays& rays)
 {
-  StageClock clock;
   local_.need(TreeRays::roomFor(rays.count));
   const std::uint32_t count =
     frontStages().pick(inWorld(rays, 0), scene.placed_[index].filter, local_.ray.data());
-  clock.ends(Stage::PreTest);
   castPicked(scene, index, triangles, rays, count);
 }
 
@@ -182,7 +177,6 @@ void FrontCast::castBodies(const Scene& scene, const Scene::Group& group,
   const std::vector<FrontPairs::Pair>& pairs = group.balls.isEmpty()
     ? pairs_.find(group.bodies, inWorld(rays, 0))
     : pairs_.find(group.balls, inWorld(rays, 0));
-  StageClock clock;
   raysOfBodies_.set(pairs, rays.count, bodies);
   local_.need(TreeRays::roomFor(rays.count));
   for (std::uint32_t body = 0; body < bodies; ++body)
@@ -191,9 +185,7 @@ void FrontCast::castBodies(const Scene& scene, const Scene::Group& group,
     std::uint32_t count = 0;
     raysOfBodies_.forEach(
       body, [&](std::uint32_t ray) { count = pick(scene, index, rays, ray, count); });
-    clock.ends(Stage::PreTest);
     castPicked(scene, index, triangles, rays, count);
-    clock = {};
   }
 }
 
@@ -215,10 +207,8 @@ void FrontCast::castPicked(const Scene& scene, std::uint32_t index, const FrontT
   {
     return;
   }
-  StageClock clock;
   const std::uint32_t object = index + 1;
   takeToBody(scene, object, rays, count);
-  clock.ends(Stage::PreTest);
   const TriangleMesh& mesh = scene.meshOf(object);
   search_.run(scene.bodyOf(object).tree(), mesh,
     local_.columns(count, triangles.numbers.first(object), static_cast<std::uint32_t>(mesh.size())),
@@ -263,7 +253,6 @@ void FrontCast::giveBack(const FrontRays& rays, std::uint32_t count)
 void FrontCast::findDistances(
   const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays)
 {
-  StageClock clock;
   const auto statics = static_cast<std::uint32_t>(scene.static_->mesh().size());
   const std::uint32_t room = TreeRays::roomFor(rays.count);
   candidate_.need(room);
@@ -284,7 +273,6 @@ void FrontCast::findDistances(
   {
     frontStages().confirm(inWorld(rays, statics), candidate_.data(), triangles.corners);
   }
-  clock.ends(Stage::Confirm);
   runTests(scene, triangles, rays);
 }
 
@@ -299,7 +287,6 @@ void FrontCast::addTest(
 /// Tests what was added, and keeps the closer hits.
 void FrontCast::runTests(const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays)
 {
-  StageClock clock;
   const TreeRays columns = inWorld(rays, 0);
   IntersectionLanes lanes;
   for (std::size_t first = 0; first < tests_.size(); first += IntersectionLanes::kSize)
@@ -320,7 +307,6 @@ void FrontCast::runTests(const Scene& scene, const FrontTriangles& triangles, co
         ray, number, lanes.distance[lane], lanes.weightB[lane], lanes.weightC[lane]);
     }
   }
-  clock.ends(Stage::Confirm);
 }
 
 void FrontCast::RaysOfBodies::set(

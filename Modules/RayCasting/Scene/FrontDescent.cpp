@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/FrontDescent.h"
 
-#include "Progress/StageTimes.h"
-
 #include <algorithm>
 
 namespace irradiance
@@ -11,7 +9,6 @@ namespace irradiance
 void FrontDescent::run(
   const TriangleTree& tree, const TreeRays& rays, const Rows& rows, FrontTester& tester)
 {
-  StageClock clock;
   const std::uint32_t room = TreeRays::roomFor(rays.count);
   queries_.need(room);
   others_.need(room);
@@ -19,7 +16,6 @@ void FrontDescent::run(
   further_.need(std::size_t{ 2 } * room);
   PreparedQueries prepared{ queries_.data(), 0, others_.data(), 0 };
   frontStages().prepare(tree, rays, prepared);
-  clock.ends(Stage::Prepare);
 
   std::fill_n(candidate_.data(), room, TreeRays::kNone);
   FrontSearches searches{ &tree, prepared.queries, prepared.count, candidate_.data(),
@@ -31,7 +27,6 @@ void FrontDescent::run(
   {
     searchExactly(tree, rays, prepared.others[i], tester);
   }
-  clock.ends(Stage::Search);
 }
 
 }

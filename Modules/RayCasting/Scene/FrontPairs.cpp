@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/FrontPairs.h"
 
-#include "Progress/StageTimes.h"
-
 namespace irradiance
 {
 
@@ -29,7 +27,6 @@ const std::vector<FrontPairs::Pair>& FrontPairs::find(
 
 const std::vector<FrontPairs::Pair>& FrontPairs::find(const BodyBalls& balls, const TreeRays& rays)
 {
-  StageClock clock;
   near_.need(std::size_t{ TreeRays::roomFor(rays.count) } / NearRays::kLeastLanes * balls.size());
   const std::uint32_t count = frontStages().findNear(rays, balls, near_.data());
   pairs_.clear();
@@ -41,7 +38,6 @@ const std::vector<FrontPairs::Pair>& FrontPairs::find(const BodyBalls& balls, co
         { near_[i].first + static_cast<std::uint32_t>(__builtin_ctz(lanes)), near_[i].body });
     }
   }
-  clock.ends(Stage::PreTest);
   return pairs_;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/FrontSearch.h"
 
-#include "Progress/StageTimes.h"
 
 #include <algorithm>
 
@@ -21,10 +20,8 @@ void FrontSearch::run(const TriangleTree& tree, const TriangleMesh& mesh, const 
   descent_.run(tree, rays_,
     { reinterpret_cast<const char*>(corners.first), corners.stride * sizeof(double), kCorners },
     *this);
-  StageClock clock;
   frontStages().confirm(rays_, descent_.candidates(), corners);
   confirmFurther();
-  clock.ends(Stage::Confirm);
 }
 
 void FrontSearch::confirmFurther()

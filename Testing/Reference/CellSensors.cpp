@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CellPoints.h"
+#include "CellSensors.h"
 
-#include "Directions.h"
+#include "Surfaces.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -68,6 +68,63 @@ std::optional<std::size_t> CellPoints::cellOf(const PathVertex& vertex) const
   const auto& cellOfTriangle = objects_[vertex.id.object].material->cellOfTriangle;
   const auto found = numbers_.find({ vertex.id.object, cellOfTriangle[vertex.id.triangle] });
   return found == numbers_.end() ? std::nullopt : std::optional<std::size_t>(found->second);
+}
+
+Departure CellIrradiance::start(std::size_t bin, Random& random) const
+{
+  CellPoints::Point point = points_.choose(bin, random);
+  point.surface.turn(random.next() < 0.5);
+  const PathVertex vertex = sensorAt(surfaceVertex(point.id, point.surface), bin);
+  return { vertex, cosineDirection(vertex.normal, random.nextPair()) };
+}
+
+std::optional<Sensor::Place> CellIrradiance::placeOf(const PathVertex& lightVertex) const
+{
+  const std::optional<std::size_t> bin = points_.cellOf(lightVertex);
+  return bin ? std::optional<Place>({ *bin, sensorAt(lightVertex, *bin) }) : std::nullopt;
+}
+
+/// Each side is chosen with probability 1/2. Irradiance is the integral of radiance times cosine,
+/// over both sides, and its mean over the area: as if importance of pi / area were reflected
+/// diffusely.
+PathVertex CellIrradiance::sensorAt(const PathVertex& vertex, std::size_t bin) const
+{
+  const double area = points_.area(bin);
+  PathVertex sensor = vertex;
+  sensor.diffuse = Spectrum::Constant(M_PI / area);
+  sensor.diffuseChance = 1;
+  sensor.specularChance = 0;
+  sensor.lobe = nullptr;
+  sensor.density = 1 / (2 * area);
+  sensor.throughput = Spectrum::Constant(2 * area);
+  return sensor;
+}
+
+Departure CellRadiance::start(std::size_t bin, Random& random) const
+{
+  CellPoints::Point point = points_.choose(bin, random);
+  const Vector3 toEye = eye_ - point.surface.position;
+  point.surface.turn(point.surface.normal.dot(toEye) > 0);
+  return { sensorAt(vertexOn(objects_, point.id, point.surface), bin), {} };
+}
+
+/// Only on the side that the eye sees.
+std::optional<Sensor::Place> CellRadiance::placeOf(const PathVertex& lightVertex) const
+{
+  const std::optional<std::size_t> bin = points_.cellOf(lightVertex);
+  return bin && lightVertex.normal.dot(eye_ - lightVertex.position) > 0
+    ? std::optional<Place>({ *bin, sensorAt(lightVertex, *bin) })
+    : std::nullopt;
+}
+
+/// A subpath that comes from the eye to a point chosen evenly, and that no absorption has weakened.
+PathVertex CellRadiance::sensorAt(const PathVertex& vertex, std::size_t bin) const
+{
+  PathVertex sensor = vertex;
+  sensor.toPrevious = (eye_ - vertex.position).normalized();
+  sensor.density = 1 / points_.area(bin);
+  sensor.throughput = Spectrum::Ones();
+  return sensor;
 }
 
 }
