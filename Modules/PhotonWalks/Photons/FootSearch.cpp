@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Photons/FootSearch.h"
 
-#include "Meshes/ClosestPoint.h"
+#include "Meshes/TriangleInSphere.h"
 
 #include <algorithm>
 #include <array>

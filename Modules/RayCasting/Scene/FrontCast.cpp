@@ -11,18 +11,9 @@ namespace irradiance
 namespace
 {
 
-TreeRays inWorld(const FrontRays& rays, std::uint32_t triangles)
+Ray rayOf(const TreeRays& rays, std::uint32_t ray)
 {
-  return { rays.count, { rays.origin[0], rays.origin[1], rays.origin[2] },
-    { rays.direction[0], rays.direction[1], rays.direction[2] },
-    { rays.exactDirection[0], rays.exactDirection[1], rays.exactDirection[2] }, rays.start, 0,
-    triangles, rays.distance, rays.hit, { rays.weight[0], rays.weight[1] } };
-}
-
-Ray rayOf(const FrontRays& rays, std::uint32_t ray)
-{
-  const TreeRays world = inWorld(rays, 0);
-  return { originOf(world, ray), directionOf(world, ray), {} };
+  return { originOf(rays, ray), directionOf(rays, ray), {} };
 }
 
 CornerRows rowsOf(const TriangleMesh& mesh)
@@ -72,17 +63,14 @@ void FrontCast::castSome(const Scene& scene, const Ray* rays, std::uint32_t coun
     own_.weight[0][i] = own_.weight[1][i] = 0;
   }
   const TreeRays own = own_.columns(count, 0, 0);
-  cast(scene, { numbers, scene.static_->mesh() },
-    { count, { own.origin[0], own.origin[1], own.origin[2] }, { nullptr, nullptr, nullptr },
-      own.start, own.distance, own.hit, { own.weight[0], own.weight[1] },
-      { own.exactDirection[0], own.exactDirection[1], own.exactDirection[2] } });
+  cast(scene, { numbers, scene.static_->mesh() }, own);
   for (std::uint32_t i = 0; i < count; ++i)
   {
     hits[i] = { own.distance[i], numbers.idOf(own.hit[i]), { own.weight[0][i], own.weight[1][i] } };
   }
 }
 
-void FrontCast::cast(const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays)
+void FrontCast::cast(const Scene& scene, const FrontTriangles& triangles, const TreeRays& rays)
 {
   if (scene.mode_ == TraversalMode::OneTree && !scene.placed_.empty())
   {
@@ -103,19 +91,18 @@ void FrontCast::cast(const Scene& scene, const FrontTriangles& triangles, const 
 }
 
 void FrontCast::castDynamic(
-  const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays)
+  const Scene& scene, const FrontTriangles& triangles, const TreeRays& rays)
 {
   castGroup(scene, scene.dynamic_, triangles, rays);
 }
 
-void FrontCast::castMoved(
-  const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays)
+void FrontCast::castMoved(const Scene& scene, const FrontTriangles& triangles, const TreeRays& rays)
 {
   castGroup(scene, scene.moved_, triangles, rays);
 }
 
 void FrontCast::castGroup(const Scene& scene, const Scene::Group& group,
-  const FrontTriangles& triangles, const FrontRays& rays)
+  const FrontTriangles& triangles, const TreeRays& rays)
 {
   if (group.flattened)
   {
@@ -132,19 +119,21 @@ void FrontCast::castGroup(const Scene& scene, const Scene::Group& group,
 }
 
 void FrontCast::castStatic(
-  const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays)
+  const Scene& scene, const FrontTriangles& triangles, const TreeRays& rays)
 {
   const auto count = static_cast<std::uint32_t>(scene.static_->mesh().size());
   if (count > 0)
   {
+    TreeRays world = rays;
+    world.triangles = count;
     scene.static_->forEachTree([&](const TriangleTree& tree) {
-      search_.run(tree, scene.static_->mesh(), inWorld(rays, count), triangles.corners);
+      search_.run(tree, scene.static_->mesh(), world, triangles.corners);
     });
   }
 }
 
 void FrontCast::castMixed(const Scene& scene, const Scene::MixedTree& mixed,
-  const FrontTriangles& triangles, const FrontRays& rays)
+  const FrontTriangles& triangles, const TreeRays& rays)
 {
   StageClock clock;
   start_.need(TreeRays::roomFor(rays.count));
@@ -152,7 +141,8 @@ void FrontCast::castMixed(const Scene& scene, const Scene::MixedTree& mixed,
   {
     start_[ray] = mixed.referenceTo(triangles.numbers.idOf(rays.start[ray]));
   }
-  TreeRays world = inWorld(rays, static_cast<std::uint32_t>(mixed.ids.size()));
+  TreeRays world = rays;
+  world.triangles = static_cast<std::uint32_t>(mixed.ids.size());
   world.start = start_.data();
   clock.ends(Stage::PreTest);
   tests_.clear();
@@ -165,23 +155,22 @@ void FrontCast::castMixed(const Scene& scene, const Scene::MixedTree& mixed,
 }
 
 void FrontCast::castBody(
-  const Scene& scene, std::uint32_t index, const FrontTriangles& triangles, const FrontRays& rays)
+  const Scene& scene, std::uint32_t index, const FrontTriangles& triangles, const TreeRays& rays)
 {
   StageClock clock;
   local_.need(TreeRays::roomFor(rays.count));
   const std::uint32_t count =
-    frontStages().pick(inWorld(rays, 0), scene.placed_[index].filter, local_.ray.data());
+    frontStages().pick(rays, scene.placed_[index].filter, local_.ray.data());
   clock.ends(Stage::PreTest);
   castPicked(scene, index, triangles, rays, count);
 }
 
 void FrontCast::castBodies(const Scene& scene, const Scene::Group& group,
-  const FrontTriangles& triangles, const FrontRays& rays)
+  const FrontTriangles& triangles, const TreeRays& rays)
 {
   const auto bodies = static_cast<std::uint32_t>(group.instanced.size());
-  const std::vector<FrontPairs::Pair>& pairs = group.balls.isEmpty()
-    ? pairs_.find(group.bodies, inWorld(rays, 0))
-    : pairs_.find(group.balls, inWorld(rays, 0));
+  const std::vector<FrontPairs::Pair>& pairs =
+    group.balls.isEmpty() ? pairs_.find(group.bodies, rays) : pairs_.find(group.balls, rays);
   StageClock clock;
   raysOfBodies_.set(pairs, rays.count, bodies);
   local_.need(TreeRays::roomFor(rays.count));
@@ -199,7 +188,7 @@ void FrontCast::castBodies(const Scene& scene, const Scene::Group& group,
 
 /// Adds the ray to `local_.ray`, which holds so many, if it may touch the body; returns how many it
 /// holds.
-std::uint32_t FrontCast::pick(const Scene& scene, std::uint32_t index, const FrontRays& rays,
+std::uint32_t FrontCast::pick(const Scene& scene, std::uint32_t index, const TreeRays& rays,
   std::uint32_t ray, std::uint32_t count)
 {
   local_.ray[count] = ray;
@@ -209,7 +198,7 @@ std::uint32_t FrontCast::pick(const Scene& scene, std::uint32_t index, const Fro
 
 /// Casts the rays in `local_.ray`, so many, to a body.
 void FrontCast::castPicked(const Scene& scene, std::uint32_t index, const FrontTriangles& triangles,
-  const FrontRays& rays, std::uint32_t count)
+  const TreeRays& rays, std::uint32_t count)
 {
   if (count == 0)
   {
@@ -228,12 +217,12 @@ void FrontCast::castPicked(const Scene& scene, std::uint32_t index, const FrontT
 
 /// By the same operations as everywhere, so that hits have the same bits.
 void FrontCast::takeToBody(
-  const Scene& scene, std::uint32_t object, const FrontRays& rays, std::uint32_t count)
+  const Scene& scene, std::uint32_t object, const TreeRays& rays, std::uint32_t count)
 {
   for (std::uint32_t i = 0; i < count; ++i)
   {
     const std::uint32_t ray = local_.ray[i];
-    const Scene::LocalRay local = scene.localRay(rayOf(rays, ray), object);
+    const Ray local = scene.localRay(rayOf(rays, ray), object);
     for (int axis = 0; axis < 3; ++axis)
     {
       local_.origin[axis][i] = local.origin[axis];
@@ -245,7 +234,7 @@ void FrontCast::takeToBody(
   }
 }
 
-void FrontCast::giveBack(const FrontRays& rays, std::uint32_t count)
+void FrontCast::giveBack(const TreeRays& rays, std::uint32_t count)
 {
   for (std::uint32_t i = 0; i < count; ++i)
   {
@@ -261,7 +250,7 @@ void FrontCast::giveBack(const FrontRays& rays, std::uint32_t count)
 }
 
 void FrontCast::findDistances(
-  const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays)
+  const Scene& scene, const FrontTriangles& triangles, const TreeRays& rays)
 {
   StageClock clock;
   const auto statics = static_cast<std::uint32_t>(scene.static_->mesh().size());
@@ -282,7 +271,7 @@ void FrontCast::findDistances(
   }
   if (statics > 0)
   {
-    frontStages().confirm(inWorld(rays, statics), candidate_.data(), triangles.corners);
+    frontStages().confirm(rays, candidate_.data(), triangles.corners);
   }
   clock.ends(Stage::Confirm);
   runTests(scene, triangles, rays);
@@ -297,29 +286,16 @@ void FrontCast::addTest(
 }
 
 /// Tests what was added, and keeps the closer hits.
-void FrontCast::runTests(const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays)
+void FrontCast::runTests(const Scene& scene, const FrontTriangles& triangles, const TreeRays& rays)
 {
   StageClock clock;
-  const TreeRays columns = inWorld(rays, 0);
-  IntersectionLanes lanes;
-  for (std::size_t first = 0; first < tests_.size(); first += IntersectionLanes::kSize)
-  {
-    const std::size_t some = std::min<std::size_t>(tests_.size() - first, IntersectionLanes::kSize);
-    for (unsigned lane = 0; lane < some; ++lane)
-    {
-      const auto& [ray, number] = tests_[first + lane];
-      const TriangleId id = triangles.numbers.idOf(number);
-      const Scene::LocalRay local = scene.localRay(rayOf(rays, ray), id.object);
-      lanes.set(lane, local.origin, local.direction, scene.localTriangle(id));
-    }
-    frontStages().intersect(lanes);
-    for (unsigned lane = 0; lane < some; ++lane)
-    {
-      const auto& [ray, number] = tests_[first + lane];
-      columns.keepCloser(
-        ray, number, lanes.distance[lane], lanes.weightB[lane], lanes.weightC[lane]);
-    }
-  }
+  confirmEach(rays, tests_.size(), [&](std::size_t i, IntersectionLanes& lanes, unsigned lane) {
+    const auto& [ray, number] = tests_[i];
+    const TriangleId id = triangles.numbers.idOf(number);
+    const Ray local = scene.localRay(rayOf(rays, ray), id.object);
+    lanes.set(lane, local.origin, local.direction, scene.localTriangle(id));
+    return tests_[i];
+  });
   clock.ends(Stage::Confirm);
 }
 
@@ -364,8 +340,8 @@ TreeRays FrontCast::LocalRays::columns(
 {
   return { count, { origin[0].data(), origin[1].data(), origin[2].data() },
     { nullptr, nullptr, nullptr },
-    { direction[0].data(), direction[1].data(), direction[2].data() }, start.data(), first,
-    triangles, distance.data(), hit.data(), { weight[0].data(), weight[1].data() } };
+    { direction[0].data(), direction[1].data(), direction[2].data() }, start.data(),
+    distance.data(), hit.data(), { weight[0].data(), weight[1].data() }, first, triangles };
 }
 
 }
