@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Photons/Foot.h"
 
-#include "Meshes/ClosestPoint.h"
+#include "Meshes/TriangleInSphere.h"
 #include "Surfaces/Contacts.h"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Photons/SeenSurface.h"
 
-#include "Meshes/ClosestPoint.h"
 #include "Meshes/TriangleInSphere.h"
 
 #include <algorithm>

@@ -14,7 +14,7 @@ public:
   explicit FrontQueue(FrontSearches& front)
     : front_(front)
   {
-    common_.setTree(*front.tree);
+    common_.setTree(front.tree);
   }
 
   /// The next search; false if there is none.
@@ -42,9 +42,7 @@ public:
       return;
     }
     front_.candidate[query.ray] = references[0];
-    const char* const row = front_.rows + references[0] * front_.rowBytes;
-    prefetchLine(row);
-    prefetchLine(row + front_.cornerBytes - 1);
+    front_.corners.prefetch(references[0]);
     if (__builtin_expect(count > 1, 0))
     {
       addFurther(query.ray, references, count);

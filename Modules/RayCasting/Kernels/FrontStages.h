@@ -6,49 +6,10 @@
 #include "Kernels/IntersectionLanes.h"
 #include "Kernels/PrepareLanes.h"
 
+#include <algorithm>
+
 namespace irradiance
 {
-
-/// Tests triangles at once, in double: few, where there is no room for more candidates or floats do
-/// not serve.
-class FrontTester
-{
-public:
-  virtual void test(std::uint32_t ray, std::uint32_t reference) = 0;
-
-protected:
-  ~FrontTester() = default;
-};
-
-/// A triangle that a search found beside the first.
-struct FurtherCandidate
-{
-  std::uint32_t ray, reference;
-};
-
-/// Searches of a front in one tree, and where they write what they find.
-struct FrontSearches
-{
-  const TriangleTree* tree;
-  const PreparedQuery* queries;
-  std::uint32_t count;
-  std::uint32_t* candidate; ///< by ray, the first found
-  FurtherCandidate* further;
-  std::uint32_t furtherCount, furtherRoom;
-  const char* rows;        ///< of the triangles, to prefetch
-  std::size_t rowBytes;    ///< from one to the next
-  std::size_t cornerBytes; ///< of one, that the test reads
-  FrontTester& tester;
-};
-
-/// The corners of triangles, nine doubles, at equal distances in memory.
-struct CornerRows
-{
-  const double* first;
-  std::size_t stride; ///< doubles from one to the next
-
-  const double* of(std::uint32_t triangle) const { return first + triangle * stride; }
-};
 
 /// The stages of a cast in one tree, compiled for one instruction set. All find the same hits, bit
 /// for bit.
@@ -60,7 +21,8 @@ struct FrontStages
   /// Writes which rays may touch which ball to `found`, with room for as many for every kLeastLanes
   /// rays as there are balls; returns their number. More may be near than the ellipsoids let pass.
   std::uint32_t (*findNear)(const TreeRays& rays, const BodyBalls& balls, NearRays* found);
-  void (*prepare)(const TriangleTree& tree, const TreeRays& rays, PreparedQueries& queries);
+  /// Sets the queries and the other rays.
+  void (*prepare)(const TreeRays& rays, FrontSearches& searches);
   void (*search)(FrontSearches& searches);
   /// Tests the triangle `candidate[i]`, unless it is kNone, for each ray i, and keeps the closer
   /// hits.
@@ -73,6 +35,30 @@ const FrontStages& frontStages();
 const FrontStages& frontStagesPlain();
 const FrontStages& frontStagesAvx2();
 const FrontStages& frontStagesAvx512();
+
+/// Tests so many rays with a triangle each, eight at a time, and keeps the closer hits. set(i,
+/// lanes, lane) sets a lane to the i-th test, and returns its ray and the triangle's number.
+template <class Set>
+void confirmEach(const TreeRays& rays, std::size_t count, const Set& set)
+{
+  constexpr std::size_t kSize = IntersectionLanes::kSize;
+  IntersectionLanes lanes;
+  FurtherCandidate tests[kSize];
+  for (std::size_t first = 0; first < count; first += kSize)
+  {
+    const auto some = static_cast<unsigned>(std::min(count - first, kSize));
+    for (unsigned lane = 0; lane < some; ++lane)
+    {
+      tests[lane] = set(first + lane, lanes, lane);
+    }
+    frontStages().intersect(lanes);
+    for (unsigned lane = 0; lane < some; ++lane)
+    {
+      rays.keepCloser(tests[lane].ray, tests[lane].reference, lanes.distance[lane],
+        lanes.weightB[lane], lanes.weightC[lane]);
+    }
+  }
+}
 
 /// Searches for one of the rays that floats cannot follow, all in double. The tree must not be
 /// empty.

@@ -209,35 +209,28 @@ __attribute__((noinline)) void prepareSome(PrepareLanes<Real>& lanes, const Tria
 }
 
 template <class Real>
-inline void prepareAll(const TriangleTree& tree, const TreeRays& rays,
-  const Real* const (&directions)[3], PreparedQueries& queries)
+inline void prepareAll(
+  const TreeRays& rays, const Real* const (&directions)[3], FrontSearches& searches)
 {
   PrepareLanes<Real> lanes;
-  queries.count = 0;
-  queries.otherCount = 0;
+  searches.count = 0;
+  searches.otherCount = 0;
   for (std::uint32_t first = 0; first < rays.count; first += TreeRays::kLanes)
   {
-    prepareSome<Real>(lanes, tree, rays, directions, first);
-    lanes.write(tree, rays, first, queries);
+    prepareSome<Real>(lanes, searches.tree, rays, directions, first);
+    lanes.write(rays, first, searches);
   }
 }
 
-inline void prepareRays(const TriangleTree& tree, const TreeRays& rays, PreparedQueries& queries)
+inline void prepareRays(const TreeRays& rays, FrontSearches& searches)
 {
-  rays.direction[0] ? prepareAll<float>(tree, rays, rays.direction, queries)
-                    : prepareAll<double>(tree, rays, rays.exactDirection, queries);
+  rays.direction[0] ? prepareAll<float>(rays, rays.direction, searches)
+                    : prepareAll<double>(rays, rays.exactDirection, searches);
 }
 
 __attribute__((noinline)) void intersectSome(IntersectionLanes& lanes)
 {
   lanes.intersect();
-}
-
-inline void prefetchCandidate(std::uint32_t candidate, const CornerRows& corners)
-{
-  const double* const row = corners.of(candidate == TreeRays::kNone ? 0 : candidate);
-  prefetchLine(row);
-  prefetchLine(row + 8);
 }
 
 template <class Real>
@@ -319,7 +312,8 @@ inline void confirmAll(const TreeRays& rays, const Real* const (&directions)[3],
   {
     for (unsigned lane = 0; first + kAhead < rays.count && lane < kSize; ++lane)
     {
-      prefetchCandidate(candidate[first + kAhead + lane], corners);
+      const std::uint32_t ahead = candidate[first + kAhead + lane];
+      corners.prefetch(ahead == TreeRays::kNone ? 0 : ahead);
     }
     setRays(lanes, rays, first, directions);
     setTriangles(lanes, candidate + first, corners);

@@ -25,7 +25,7 @@ struct IntersectionLanes
       y[lane] = point[1];
       z[lane] = point[2];
     }
-    /// In the order of RayAxes.
+    /// In the order of the ray.
     __attribute__((always_inline)) Intersection::Point ordered(
       unsigned lane, int axis, bool isFlipped) const
     {

@@ -12,15 +12,6 @@
 namespace irradiance
 {
 
-/// Searches of rays in a tree, ready for the kernels.
-struct PreparedQueries
-{
-  PreparedQuery* queries; ///< room for TreeRays::roomFor(count)
-  std::uint32_t count;
-  std::uint32_t* others; ///< rays that floats cannot follow, for searchExactly(); as much room
-  std::uint32_t otherCount;
-};
-
 /**
  * Prepares searches of 16 rays side by side. It is in double until a ray begins near the tree's
  * box; from there on numbers are about 1, and floats do. Documentation/Theory.md, section 3, shows
@@ -110,7 +101,7 @@ struct PrepareLanes
   /// Writes the searches that are kept, and the rays that are for others. `first`: the ray in lane
   /// 0.
   __attribute__((always_inline)) void write(
-    const TriangleTree& tree, const TreeRays& rays, std::uint32_t first, PreparedQueries& all)
+    const TreeRays& rays, std::uint32_t first, FrontSearches& all)
   {
     const unsigned lanes = rays.count - first < kSize ? rays.count - first : kSize;
     std::int32_t behindAxis[kSize];
@@ -122,7 +113,7 @@ struct PrepareLanes
         lane < lanes ? rays.skipped(first + lane, TriangleBlock::kNone) : TriangleBlock::kNone;
       if (skipped[lane] != TriangleBlock::kNone)
       {
-        behindAxis[lane] = setBehind(lane, tree.planes().of(skipped[lane]));
+        behindAxis[lane] = setBehind(lane, all.tree.planes().of(skipped[lane]));
       }
     }
     for (unsigned group = 0; group < lanes; group += 4)

@@ -3,9 +3,8 @@
 
 #include "Kernels/FrontStages.h"
 #include "Kernels/QueryCounts.h"
-#include "Simd/Prefetch.h"
 #include "Simd/SimdTarget.h"
-#include "Trees/KdTree.h"
+#include "Trees/KdTreeBuilder.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Kernels/FrontStages.h"
 #include "Kernels/QueryCounts.h"
-#include "Simd/Prefetch.h"
-#include "Trees/KdTree.h"
+#include "Trees/KdTreeBuilder.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -2,6 +2,7 @@
 #ifndef irradiance_TreeQuery_h
 #define irradiance_TreeQuery_h
 
+#include "Simd/Prefetch.h"
 #include "Trees/TriangleTree.h"
 
 namespace irradiance
@@ -64,6 +65,52 @@ struct TreeQuery : PreparedQuery
     edgeBlur = static_cast<float>(kEdgeBlur + 4 * tree->blur());
     leastBlur = static_cast<float>(kLeastBlur + 32 * tree->blur());
   }
+};
+
+/// Tests triangles at once, in double: few, where there is no room for more candidates or floats do
+/// not serve.
+class FrontTester
+{
+public:
+  virtual void test(std::uint32_t ray, std::uint32_t reference) = 0;
+
+protected:
+  ~FrontTester() = default;
+};
+
+/// A triangle that a search found beside the first.
+struct FurtherCandidate
+{
+  std::uint32_t ray, reference;
+};
+
+/// The corners of triangles, nine doubles, at equal distances in memory.
+struct CornerRows
+{
+  const double* first;
+  std::size_t stride; ///< doubles from one to the next
+
+  const double* of(std::uint32_t triangle) const { return first + triangle * stride; }
+  __attribute__((always_inline)) void prefetch(std::uint32_t triangle) const
+  {
+    prefetchLine(of(triangle));
+    prefetchLine(of(triangle) + 8);
+  }
+};
+
+/// Searches of a front in one tree, ready for the kernels, and where they write what they find.
+struct FrontSearches
+{
+  const TriangleTree& tree;
+  PreparedQuery* queries; ///< room for TreeRays::roomFor(count)
+  std::uint32_t count;
+  std::uint32_t* others; ///< rays that floats cannot follow, for searchExactly(); as much room
+  std::uint32_t otherCount;
+  std::uint32_t* candidate; ///< by ray, the first found
+  FurtherCandidate* further;
+  std::uint32_t furtherCount, furtherRoom;
+  CornerRows corners; ///< to prefetch what is found
+  FrontTester& tester;
 };
 
 }

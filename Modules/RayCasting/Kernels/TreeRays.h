@@ -9,9 +9,9 @@
 namespace irradiance
 {
 
-/// Rays in the space of a tree as columns, and the best hits that are known of them. The columns
-/// have room for a multiple of kLanes; what stands beyond `count` has no meaning and may be
-/// changed.
+/// Rays in the space of a tree, or in world space, as columns, and the best hits that are known of
+/// them. The columns have room for a multiple of kLanes; what stands beyond `count` has no meaning
+/// and may be changed.
 struct TreeRays
 {
   static constexpr std::uint32_t kLanes = 16;
@@ -24,16 +24,16 @@ struct TreeRays
 
   std::uint32_t count;
   const double* origin[3];
-  /// Directions are floats, or, where these are null, doubles.
-  const float* direction[3];
-  const double* exactDirection[3];
-  const std::uint32_t* start; ///< the number of the triangle that each leaves, or kNone
-  std::uint32_t first;        ///< the number of the tree's first triangle
-  std::uint32_t triangles;    ///< of the tree
-
-  double* distance; ///< nothing farther is looked for; may be infinite
+  const float* direction[3];       ///< of length 1, up to rounding; or null, and there are
+  const double* exactDirection[3]; ///< doubles, of any length
+  const std::uint32_t* start;      ///< the number of the triangle that each leaves, or kNone
+  /// In: the best hit so far, or infinite and kNone; nothing farther is looked for. Out: that or a
+  /// closer one, by (distance, number).
+  double* distance;
   std::uint32_t* hit;
-  float* weight[2]; ///< of the second and third corner
+  float* weight[2];            ///< of the second and third corner
+  std::uint32_t first = 0;     ///< the number of the tree's first triangle
+  std::uint32_t triangles = 0; ///< of the tree
 
   /// The triangle that a ray leaves, as the tree knows it.
   std::uint32_t skipped(std::uint32_t ray, std::uint32_t none) const

@@ -2,7 +2,6 @@
 #include "Meshes/SolidSides.h"
 
 #include "Meshes/MeshEdges.h"
-#include "Meshes/RoomShells.h"
 #include "Meshes/ShellNesting.h"
 
 #include <algorithm>

@@ -16,24 +16,6 @@ Box unitBounds(const TriangleTree& tree, const Box& box);
 /// For each child of a treelet whether its box touches a box in the unit frame.
 std::array<bool, Treelet::kSize> childrenNear(const Treelet& treelet, const Box& unit);
 
-/// Calls visit(triangle) for all that a leaf lists, given the number of its first block.
-template <class Visit>
-void forEachListed(const TriangleTree& tree, std::uint32_t leaf, const Visit& visit)
-{
-  const TriangleBlock* block = tree.blocks() + leaf;
-  for (bool isLast = false; !isLast; ++block)
-  {
-    isLast = block->isLast();
-    for (unsigned lane = 0; lane < TriangleBlock::kSize; ++lane)
-    {
-      if (block->reference(lane) != TriangleBlock::kNone)
-      {
-        visit(block->reference(lane));
-      }
-    }
-  }
-}
-
 /// Calls visit(triangle), in any order and perhaps more than once, for all that the leaves below a
 /// node list whose boxes touch a box in the unit frame.
 template <class Visit>
@@ -45,7 +27,7 @@ void forEachBelow(const TriangleTree& tree, std::uint32_t node, const Box& unit,
   }
   if ((node & Treelet::kLeaf) != 0)
   {
-    forEachListed(tree, node & ~Treelet::kLeaf, visit);
+    forEachListed(tree.blocks() + (node & ~Treelet::kLeaf), visit);
     return;
   }
   const Treelet& treelet = tree.treelets()[node];

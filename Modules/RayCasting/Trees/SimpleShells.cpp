@@ -130,64 +130,6 @@ bool isAlongAxes(const Triangle& t)
     isAlong(t.a - t.c);
 }
 
-class TouchSearch
-{
-public:
-  TouchSearch(SolidSides& sides, const std::vector<Triangle>& triangles, const TriangleTree& tree,
-    const CancelPoint& cancelPoint)
-    : sides_(sides)
-    , triangles_(triangles)
-    , tree_(tree)
-    , pace_(cancelPoint)
-  {
-  }
-
-  /// Where surfaces cross, some of their triangles are in one leaf; unless they cross just where
-  /// cells of the tree meet, hence along axes.
-  void findAll()
-  {
-    std::vector<std::uint32_t> listed;
-    for (std::uint32_t leaf = 0; leaf < tree_.numberOfBlocks();)
-    {
-      listed.clear();
-      forEachListed(tree_, leaf, [&](std::uint32_t triangle) {
-        find(triangle, listed);
-        listed.push_back(triangle);
-      });
-      while (!tree_.blocks()[leaf++].isLast())
-      {
-      }
-    }
-    for (std::uint32_t i = 0; i < triangles_.size(); ++i)
-    {
-      if (sides_.shell(i).isSimple && isAlongAxes(triangles_[i]))
-      {
-        find(i, trianglesNear(tree_, triangles_[i].bounds()));
-      }
-    }
-  }
-
-private:
-  void find(std::uint32_t triangle, const std::vector<std::uint32_t>& others)
-  {
-    constexpr std::size_t kMany = 512;
-    Shell& shell = sides_.shells[sides_.shellOf[triangle]];
-    const double tolerance = 0x1p-44 * shell.bounds.magnitude();
-    shell.isSimple = shell.isSimple && others.size() <= kMany;
-    for (auto other = others.begin(); other != others.end() && shell.isSimple; ++other)
-    {
-      pace_.step();
-      shell.isSimple = *other == triangle || sides_.shellOf[*other] != sides_.shellOf[triangle] ||
-        !mayTouch(triangles_[triangle], triangles_[*other], tolerance);
-    }
-  }
-
-  SolidSides& sides_;
-  const std::vector<Triangle>& triangles_;
-  const TriangleTree& tree_;
-  ThrottledCancelPoint pace_;
-};
-
 }
 
 void markSimpleShells(SolidSides& sides, const std::vector<Triangle>& triangles,
@@ -197,7 +139,38 @@ void markSimpleShells(SolidSides& sides, const std::vector<Triangle>& triangles,
   {
     shell.isSimple = shell.isClosed;
   }
-  TouchSearch(sides, triangles, tree, cancelPoint).findAll();
+  ThrottledCancelPoint pace(cancelPoint);
+  const auto look = [&](std::uint32_t triangle, const std::vector<std::uint32_t>& others) {
+    constexpr std::size_t kMany = 512;
+    Shell& shell = sides.shells[sides.shellOf[triangle]];
+    const double tolerance = 0x1p-44 * shell.bounds.magnitude();
+    shell.isSimple = shell.isSimple && others.size() <= kMany;
+    for (auto other = others.begin(); other != others.end() && shell.isSimple; ++other)
+    {
+      pace.step();
+      shell.isSimple = *other == triangle || sides.shellOf[*other] != sides.shellOf[triangle] ||
+        !mayTouch(triangles[triangle], triangles[*other], tolerance);
+    }
+  };
+  // Where surfaces cross, some of their triangles are in one leaf; unless they cross just where
+  // cells of the tree meet, hence along axes.
+  std::vector<std::uint32_t> listed;
+  const TriangleBlock* leaf = tree.blocks();
+  while (leaf != tree.blocks() + tree.numberOfBlocks())
+  {
+    listed.clear();
+    leaf = forEachListed(leaf, [&](std::uint32_t triangle) {
+      look(triangle, listed);
+      listed.push_back(triangle);
+    });
+  }
+  for (std::uint32_t i = 0; i < triangles.size(); ++i)
+  {
+    if (sides.shell(i).isSimple && isAlongAxes(triangles[i]))
+    {
+      look(i, trianglesNear(tree, triangles[i].bounds()));
+    }
+  }
 }
 
 }
