@@ -57,25 +57,20 @@ public:
   static constexpr std::array<std::array<int, 4>, 6> PartsOfMethods{ { { 2, 4, 0, 0 },
     { 0, 0, 0, 0 }, { 0, 1, 0, 0 }, { 1, 3, 0, 0 }, { 1, 3, 2, 0 }, { 1, 3, 0, 1 } } };
 
-  using Connections = std::vector<irradiance::InputConnection>;
-
-  /// All that a result depends on, except the properties.
-  struct Inputs
-  {
-    Connections Static, Dynamic;
-  };
-
   /// The processes that share the walks; null if a filter downstream has each compute alone.
   vtkMultiProcessController* GetSharing(vtkIrradianceFilter* filter) const;
   /// What this process has.
-  Inputs GetInputs(vtkIrradianceFilter* filter, vtkInformationVector** inputs) const;
+  irradiance::SceneInputs GetInputs(
+    vtkIrradianceFilter* filter, vtkInformationVector** inputs) const;
   /// Completes what is distributed.
-  void Complete(vtkIrradianceFilter* filter, Inputs& inputs, irradiance::Ranks& ranks);
-  void Compute(vtkIrradianceFilter* filter, const Inputs& inputs, vtkInformation* request,
-    irradiance::Ranks& ranks, vtkMultiBlockDataSet* output, vtkPolyData* walks);
+  void Complete(
+    vtkIrradianceFilter* filter, irradiance::SceneInputs& inputs, irradiance::Ranks& ranks);
+  void Compute(vtkIrradianceFilter* filter, const irradiance::SceneInputs& inputs,
+    vtkInformation* request, irradiance::Ranks& ranks, vtkMultiBlockDataSet* output,
+    vtkPolyData* walks);
   void WarnOfExcess(vtkIrradianceFilter* filter);
-  void Advise(
-    vtkIrradianceFilter* filter, const Inputs& inputs, const irradiance::CancelPoint& cancelPoint);
+  void Advise(vtkIrradianceFilter* filter, const irradiance::SceneInputs& inputs,
+    const irradiance::CancelPoint& cancelPoint);
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
   irradiance::DynamicPoses Poses;
@@ -123,17 +118,6 @@ std::uint32_t Checked(const char* name, vtkIdType value, vtkIdType low, vtkIdTyp
       std::to_string(low) + " to " + std::to_string(high) + " are possible");
   }
   return static_cast<std::uint32_t>(value);
-}
-
-/// Of all polydata of an output, in order.
-std::vector<irradiance::PieceCells> PiecesOf(
-  const std::vector<irradiance::InputConnection>& statics,
-  const std::vector<irradiance::InputConnection>& dynamics)
-{
-  std::vector<irradiance::PieceCells> pieces;
-  irradiance::forEachPart(
-    statics, dynamics, [&](const irradiance::InputPart& part) { pieces.push_back(part.cells); });
-  return pieces;
 }
 
 void ReadErrorSettings(vtkIrradianceFilter* filter, irradiance::EngineSettings& settings)
@@ -285,15 +269,12 @@ void KeepWhatIsRead(irradiance::EngineSettings& settings, vtkInformation* reques
 }
 
 /// Throws InputError.
-void CheckLights(const irradiance::SceneReader& scene,
-  const std::vector<irradiance::InputConnection>& statics,
-  const std::vector<irradiance::InputConnection>& dynamics)
+void CheckLights(const irradiance::SceneReader& scene, const irradiance::SceneInputs& inputs)
 {
   if (const auto unseen = irradiance::unseenLight(scene.objects()))
   {
-    throw irradiance::InputError(
-      unseen->message("Method Gathered", scene.nameOf(unseen->light, statics, dynamics),
-        scene.nameOf(unseen->specular, statics, dynamics)));
+    throw irradiance::InputError(unseen->message("Method Gathered",
+      scene.nameOf(unseen->light, inputs), scene.nameOf(unseen->specular, inputs)));
   }
 }
 
@@ -653,7 +634,7 @@ vtkMultiProcessController* vtkIrradianceFilter::vtkInternals::GetSharing(
   return isAlone ? nullptr : this->Controller.Get();
 }
 
-vtkIrradianceFilter::vtkInternals::Inputs vtkIrradianceFilter::vtkInternals::GetInputs(
+irradiance::SceneInputs vtkIrradianceFilter::vtkInternals::GetInputs(
   vtkIrradianceFilter* filter, vtkInformationVector** inputs) const
 {
   const int dynamics = inputs[1]->GetNumberOfInformationObjects();
@@ -665,22 +646,22 @@ vtkIrradianceFilter::vtkInternals::Inputs vtkIrradianceFilter::vtkInternals::Get
       std::to_string(first < 0 ? first : last) + ", but input port 1 has " +
       std::to_string(dynamics) + " connections");
   }
-  Inputs read;
+  irradiance::SceneInputs read;
   for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i)
   {
-    read.Static.push_back(
+    read.statics.push_back(
       irradiance::staticConnection(filter, i, vtkDataObject::GetData(inputs[0], i)));
   }
   for (int i = 0; i < dynamics; ++i)
   {
-    read.Dynamic.push_back(irradiance::dynamicConnection(filter, i,
+    read.dynamics.push_back(irradiance::dynamicConnection(filter, i,
       vtkDataObject::GetData(inputs[1], i), this->Poses.transform(i), filter->GetPoseArrayName()));
   }
   return read;
 }
 
 void vtkIrradianceFilter::vtkInternals::Complete(
-  vtkIrradianceFilter* filter, Inputs& inputs, irradiance::Ranks& ranks)
+  vtkIrradianceFilter* filter, irradiance::SceneInputs& inputs, irradiance::Ranks& ranks)
 {
   if (filter->GetDistributedInput())
   {
@@ -690,9 +671,9 @@ void vtkIrradianceFilter::vtkInternals::Complete(
         "DistributedInput is on, but the processes share the times of a vtkRadiantExposureFilter, "
         "so each needs the whole scene: set it to off, or that filter's Controller to null");
     }
-    this->Pieces.complete(filter, this->GetSharing(filter), ranks, inputs.Static, inputs.Dynamic);
+    this->Pieces.complete(filter, this->GetSharing(filter), ranks, inputs);
   }
-  irradiance::checkChosenArrays(filter, inputs.Static, inputs.Dynamic);
+  irradiance::checkChosenArrays(filter, inputs);
 }
 
 /// Whenever an update begins to have more light than there is.
@@ -712,19 +693,16 @@ void vtkIrradianceFilter::vtkInternals::WarnOfExcess(vtkIrradianceFilter* filter
 }
 
 /// Says what is probably a mistake, unless it said so when the inputs last changed.
-void vtkIrradianceFilter::vtkInternals::Advise(
-  vtkIrradianceFilter* filter, const Inputs& inputs, const irradiance::CancelPoint& cancelPoint)
+void vtkIrradianceFilter::vtkInternals::Advise(vtkIrradianceFilter* filter,
+  const irradiance::SceneInputs& inputs, const irradiance::CancelPoint& cancelPoint)
 {
   if (!this->Scene.hasNews())
   {
     return;
   }
   const std::vector<std::string> advice = this->Engine->hasLights()
-    ? irradiance::SceneAdvice(
-        inputs.Static, inputs.Dynamic, this->Scene, *this->Engine, cancelPoint)
-        .warnings()
-    : std::vector<std::string>(
-        1, irradiance::noLightWarning(filter, inputs.Static, inputs.Dynamic));
+    ? irradiance::sceneAdvice(inputs, this->Scene, *this->Engine, cancelPoint)
+    : std::vector<std::string>(1, irradiance::noLightWarning(filter, inputs));
   this->Scene.forgetNews();
   const std::vector<std::string> before = std::exchange(this->Advice, advice);
   for (const std::string& warning : advice)
@@ -736,9 +714,9 @@ void vtkIrradianceFilter::vtkInternals::Advise(
   }
 }
 
-void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, const Inputs& inputs,
-  vtkInformation* request, irradiance::Ranks& ranks, vtkMultiBlockDataSet* output,
-  vtkPolyData* walks)
+void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter,
+  const irradiance::SceneInputs& inputs, vtkInformation* request, irradiance::Ranks& ranks,
+  vtkMultiBlockDataSet* output, vtkPolyData* walks)
 {
   irradiance::EngineSettings settings = CheckedSettings(filter);
   const irradiance::WalksRequest shown{ filter->GetNumberOfOutputWalks(),
@@ -756,14 +734,14 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
     // Processes that worked alone may have seen different parts come.
     this->Scene = irradiance::SceneReader();
   }
-  this->Scene.read(inputs.Static, inputs.Dynamic, filter->GetDefaultDiffuseReflectance(), reading);
+  this->Scene.read(inputs, filter->GetDefaultDiffuseReflectance(), reading);
   for (const std::string& warning : this->Scene.takeWarnings())
   {
     vtkWarningWithObjectMacro(filter, << warning);
   }
   if (settings.cellEstimate == irradiance::CellEstimate::Gathered)
   {
-    CheckLights(this->Scene, inputs.Static, inputs.Dynamic);
+    CheckLights(this->Scene, inputs);
   }
   settings =
     this->Engine->chosen(LeftToSceneBy(filter), this->Scene.objects(), settings, execution);
@@ -786,11 +764,15 @@ void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, con
   const irradiance::CancelPoint writing = irradiance::cancelPointOf(execution, 1);
   this->WarnOfExcess(filter);
   this->Advise(filter, inputs, writing);
-  irradiance::OutputWriter(*this->Engine, this->Scene, settings,
+  irradiance::writeOutput(*this->Engine, this->Scene, inputs,
     filter->GetComputeStandardError() != 0,
-    irradiance::isRequested(request, irradiance::UpstreamRequest::Replicates), writing)
-    .write(inputs.Static, inputs.Dynamic, output);
-  irradiance::PhotonSource::attach(output, this->Engine, PiecesOf(inputs.Static, inputs.Dynamic));
+    irradiance::isRequested(request, irradiance::UpstreamRequest::Replicates), writing, output);
+  std::vector<irradiance::PieceCells> pieces;
+  for (const irradiance::InputPart* part : irradiance::allPartsOf(inputs))
+  {
+    pieces.push_back(part->cells);
+  }
+  irradiance::PhotonSource::attach(output, this->Engine, std::move(pieces));
   if (shown.count > 0)
   {
     irradiance::ProgressSpan atItsEnd(execution, 1, 1);
@@ -820,7 +802,7 @@ int vtkIrradianceFilter::RequestData(
     {
       return;
     }
-    vtkInternals::Inputs read = this->Internals->GetInputs(this, inputs);
+    irradiance::SceneInputs read = this->Internals->GetInputs(this, inputs);
     this->Internals->Complete(this, read, ranks);
     const bool isLaterPiece = irradiance::isEmptyPieceRequested(RequestingOutput(request, outputs));
     const bool isEmpty = isLaterPiece && !this->DistributedInput;
@@ -831,8 +813,8 @@ int vtkIrradianceFilter::RequestData(
     if (isEmpty)
     {
       output->Initialize();
-      irradiance::OutputWriter::writeEmpty(
-        read.Static, read.Dynamic, CheckedSettings(this), this->ComputeStandardError != 0, output);
+      irradiance::writeEmptyOutput(
+        read, CheckedSettings(this), this->ComputeStandardError != 0, output);
     }
     if (isLaterPiece)
     {

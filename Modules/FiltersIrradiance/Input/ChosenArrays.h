@@ -5,7 +5,6 @@
 #include "Input/InputConnection.h"
 
 #include <string>
-#include <vector>
 
 namespace irradiance
 {
@@ -17,13 +16,11 @@ void findArrays(vtkAlgorithm* filter, InputPart& part);
 
 /// Throws InputError if the filter was told to read an array of the points or of the field data, or
 /// one that no input has.
-void checkChosenArrays(vtkAlgorithm* filter, const std::vector<InputConnection>& statics,
-  const std::vector<InputConnection>& dynamics);
+void checkChosenArrays(vtkAlgorithm* filter, const SceneInputs& inputs);
 
 /// What to say of a scene without light: which arrays it could come from, and which ones are there
 /// but not read.
-std::string noLightWarning(vtkAlgorithm* filter, const std::vector<InputConnection>& statics,
-  const std::vector<InputConnection>& dynamics);
+std::string noLightWarning(vtkAlgorithm* filter, const SceneInputs& inputs);
 
 }
 

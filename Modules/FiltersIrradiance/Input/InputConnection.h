@@ -40,20 +40,35 @@ struct InputConnection
   std::vector<InputPart> parts;
 };
 
-/// Calls visit(part) for the parts of the static connections, then of the dynamic ones, in order.
-template <class Connections, class Visit>
-void forEachPart(Connections& statics, Connections& dynamics, const Visit& visit)
+/// What the filter's input ports have: port 0 what is static, port 1 what is dynamic.
+struct SceneInputs
 {
-  for (auto* connections : { &statics, &dynamics })
+  std::vector<InputConnection> statics, dynamics;
+};
+
+/// The parts of connections, in order.
+template <class Connections>
+auto partsOf(Connections& connections)
+{
+  std::vector<decltype(connections.front().parts.data())> parts;
+  for (auto& connection : connections)
   {
-    for (auto& connection : *connections)
+    for (auto& part : connection.parts)
     {
-      for (auto& part : connection.parts)
-      {
-        visit(part);
-      }
+      parts.push_back(&part);
     }
   }
+  return parts;
+}
+
+/// All parts: the static ones, then the dynamic ones.
+template <class Inputs>
+auto allPartsOf(Inputs& inputs)
+{
+  auto parts = partsOf(inputs.statics);
+  const auto dynamics = partsOf(inputs.dynamics);
+  parts.insert(parts.end(), dynamics.begin(), dynamics.end());
+  return parts;
 }
 
 /// A static connection. Throws InputError for a leaf that is no polydata.

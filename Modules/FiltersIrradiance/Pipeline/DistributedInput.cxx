@@ -25,13 +25,6 @@ namespace
 
 using Parts = std::vector<InputPart*>;
 
-Parts partsOf(std::vector<InputConnection>& statics, std::vector<InputConnection>& dynamics)
-{
-  Parts parts;
-  forEachPart(statics, dynamics, [&](InputPart& part) { parts.push_back(&part); });
-  return parts;
-}
-
 /// As in "RadiantExitance (double, 3)"; what pieces with the same arrays have in common.
 std::set<std::string> arraysOf(vtkPolyData* piece)
 {
@@ -194,10 +187,10 @@ void sharePoses(const Parts& parts, Ranks& ranks)
 
 }
 
-void DistributedInput::complete(vtkAlgorithm* filter, vtkMultiProcessController* controller,
-  Ranks& ranks, std::vector<InputConnection>& statics, std::vector<InputConnection>& dynamics)
+void DistributedInput::complete(
+  vtkAlgorithm* filter, vtkMultiProcessController* controller, Ranks& ranks, SceneInputs& inputs)
 {
-  const Parts parts = partsOf(statics, dynamics);
+  const Parts parts = allPartsOf(inputs);
   ranks.expectSame(
     parts.size(), "another number of inputs, or of blocks in them, than on the first process");
   wholes_.resize(parts.size());

@@ -27,8 +27,8 @@ public:
   /// Replaces the pieces of all parts by wholes, and takes the pose of each part from the first
   /// process that has cells of it. All processes call it together; null: this one is alone. Throws
   /// InputError if pieces do not fit together, and RankFailed.
-  void complete(vtkAlgorithm* filter, vtkMultiProcessController* controller, Ranks& ranks,
-    std::vector<InputConnection>& statics, std::vector<InputConnection>& dynamics);
+  void complete(
+    vtkAlgorithm* filter, vtkMultiProcessController* controller, Ranks& ranks, SceneInputs& inputs);
 
 private:
   struct Whole
