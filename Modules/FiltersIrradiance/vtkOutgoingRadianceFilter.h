@@ -4,8 +4,7 @@
  * @brief   radiance that leaves the cells of a vtkIrradianceFilter's scene towards an eye
  *
  * Adds what an eye sees of each cell: light that the cell emits, and light that it reflects
- * diffusely and specularly. What vtkIrradianceFilter knows does not depend on the view, so when the
- * camera moves this filter alone executes.
+ * diffusely and specularly. When the camera moves this filter alone executes.
  *
  * @section RadianceInput Input
  * The whole output of a vtkIrradianceFilter, or a shallow copy.

@@ -4,7 +4,6 @@
 #include "Output/WalksWriter.h"
 #include "Pipeline/FilterRun.h"
 #include "Pipeline/PhotonSource.h"
-#include "Pipeline/PieceRequest.h"
 #include "Pipeline/UpstreamRequest.h"
 
 #include "vtkInformation.h"
@@ -17,7 +16,8 @@ vtkStandardNewMacro(vtkPhotonWalksFilter);
 
 int vtkPhotonWalksFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  irradiance::PhotonSource::fillInputPort(info);
+  // Other data is refused in words that help.
+  irradiance::setInputTypes(info, "vtkMultiBlockDataSet", "vtkDataObject");
   return 1;
 }
 
@@ -31,10 +31,9 @@ int vtkPhotonWalksFilter::RequestUpdateExtent(
 void vtkPhotonWalksFilter::Compute(vtkMultiBlockDataSet* input, vtkPolyData* output)
 {
   const irradiance::PhotonSource source(input, "the input");
-  const irradiance::WalksWriter writer(
-    { this->NumberOfWalks, this->CellPort, this->CellConnection, this->Cell }, source, input);
   irradiance::SmpExecution execution = irradiance::executionOf(this);
-  writer.write(execution, output);
+  irradiance::writeWalks({ this->NumberOfWalks, this->CellPort, this->CellConnection, this->Cell },
+    source, input, execution, output);
 }
 
 int vtkPhotonWalksFilter::RequestData(

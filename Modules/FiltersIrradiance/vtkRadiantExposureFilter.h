@@ -96,9 +96,7 @@ public:
   /// @}
 
   /// @{
-  /**
-   * See IntegrationModes. Default Automatic.
-   */
+  /** See IntegrationModes. Default Automatic. */
   vtkSetClampMacro(IntegrationMode, int, TimeSteps, Automatic);
   vtkGetMacro(IntegrationMode, int);
   void SetIntegrationModeToTimeSteps() { this->SetIntegrationMode(TimeSteps); }
@@ -140,14 +138,13 @@ public:
   /// @{
   /**
    * On how many photons the dose of a small cell draws, on the average of its block, 1 to
-   * 1,000,000; 0: each cell stands for itself. The dose, not the irradiance of each time, is spread
-   * over neighbouring cells of a vtkPolyData, once, at the end: the noise is about 1 / the root of
-   * this, the blur grows with its root, and energy is conserved in each block, up to rounding.
-   * Other blocks stay as they are. A photon that brings light at many times counts once. Standard
-   * errors are those of the spread dose, without the blur. It needs replicates
-   * (ComputeStandardError of vtkIrradianceFilter), as the number of photons follows from them. What
-   * direct light cells gathered is spread as well. A deforming part is spread as it is at the last
-   * time with cells. Default 0.
+   * 1,000,000; 0: each cell stands for itself. The dose is spread over neighbouring cells of a
+   * vtkPolyData, once, at the end: the noise is about 1 / the root of this, the blur grows with its
+   * root, and energy is conserved in each block, up to rounding. Other blocks stay as they are. A
+   * photon that brings light at many times counts once. Standard errors are those of the spread
+   * dose, without the blur. It needs replicates (ComputeStandardError of vtkIrradianceFilter). The
+   * direct light that cells gathered is spread as well. A deforming part is spread as it is at the
+   * last time with cells. Default 0.
    */
   vtkSetMacro(NumberOfSpreadPhotons, int);
   vtkGetMacro(NumberOfSpreadPhotons, int);
@@ -157,12 +154,12 @@ public:
   /**
    * The processes that share the times, for example a vtkMPIController; null: this one alone. Each
    * has the whole pipeline and computes every n-th time; a vtkIrradianceFilter upstream computes
-   * alone then, whatever its Controller. Each has the whole output, with the bits that one process
-   * alone would give; of several pieces, the first has all. All have to update this filter at the
-   * same time, with the same input and settings; else, or if one fails or is aborted, each has one
-   * error. While intervals are halved, only one or two times are known in advance, and other
-   * processes wait. As a rule, give the Controller to vtkIrradianceFilter instead: see "Several
-   * processes" in the Guide. Default null.
+   * alone then, whatever its Controller. Each has the whole output, with the bits of one process
+   * alone; of several pieces, the first has all. All have to update this filter at the same time,
+   * with the same input and settings; else, or if one fails or is aborted, each has one error.
+   * While intervals are halved, one or two times are known in advance, and other processes wait. As
+   * a rule, give the Controller to vtkIrradianceFilter: see "Several processes" in the Guide.
+   * Default null.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();

@@ -85,13 +85,14 @@ vtkSmartPointer<vtkDataObject> snapshotOf(vtkDataObject* data)
   return copy;
 }
 
-void cloneLeaves(vtkDataObjectTree* tree)
+void copyLeaves(vtkDataObjectTree* tree, vtkDataObjectTree* copy)
 {
-  forEachLeaf(tree, [tree](vtkDataObjectTreeIterator* leaf) {
+  copy->ShallowCopy(tree);
+  forEachLeaf(copy, [copy](vtkDataObjectTreeIterator* leaf) {
     vtkDataObject* data = leaf->GetCurrentDataObject();
     const auto clone = vtk::TakeSmartPointer(data->NewInstance());
     clone->ShallowCopy(data);
-    tree->SetDataSet(leaf, clone);
+    copy->SetDataSet(leaf, clone);
   });
 }
 

@@ -37,8 +37,8 @@ std::vector<LeafData> leavesOf(vtkDataObject* data);
 /// pipeline fills the original again.
 vtkSmartPointer<vtkDataObject> snapshotOf(vtkDataObject* data);
 
-/// Replaces the leaves of a tree by copies that share their cells and arrays.
-void cloneLeaves(vtkDataObjectTree* tree);
+/// Makes `copy` a tree with copies of the leaves of `tree` that share their cells and arrays.
+void copyLeaves(vtkDataObjectTree* tree, vtkDataObjectTree* copy);
 
 /// Fills `output` with the structure of `input` and, as the i-th leaf, what `make` returns for it.
 using MakeLeaf = std::function<vtkSmartPointer<vtkDataSet>(std::size_t i)>;

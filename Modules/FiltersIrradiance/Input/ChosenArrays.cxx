@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/ChosenArrays.h"
 
+#include "Input/InputConnection.h"
 #include "Progress/InputError.h"
 
 #include "vtkAlgorithm.h"

@@ -3,8 +3,8 @@
 #define irradiance_InputConnection_h
 
 #include "Geometry/Vector.h"
+#include "Input/ChosenArrays.h"
 #include "Input/InputWarning.h"
-#include "Input/MaterialArrays.h"
 #include "Input/PartCells.h"
 
 #include <string>
@@ -83,6 +83,15 @@ InputConnection staticConnection(vtkAlgorithm* filter, int index, vtkDataObject*
  */
 InputConnection dynamicConnection(vtkAlgorithm* filter, int index, vtkDataObject* data,
   vtkLinearTransform* transform, const char* innerPose);
+
+/// Notes in `output` that it shares the points, cells and arrays of `input`, so that a reader who
+/// knows `input` need not read `output`, which is newer in each time step. Copies do not have the
+/// note.
+void notePassedGeometry(vtkPolyData* output, vtkPolyData* input);
+
+/// The polydata from which the geometry was passed on, through several filters perhaps; `polyData`
+/// itself if there is no note.
+vtkPolyData* originOfGeometry(vtkPolyData* polyData);
 
 }
 

@@ -2,7 +2,6 @@
 #include "Input/InputWarning.h"
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
 
 namespace irradiance
@@ -11,39 +10,35 @@ namespace irradiance
 void InputWarnings::add(const InputWarning& warning)
 {
   auto kind = std::find_if(kinds_.begin(), kinds_.end(),
-    [&](const Alike& some) { return some.first.what == warning.what; });
+    [&](const auto& some) { return some.first.what == warning.what; });
   if (kind == kinds_.end())
   {
     kind = kinds_.insert(kind, { warning, {} });
   }
-  kind->cells[warning.input] = warning.cells;
-}
-
-std::string InputWarnings::Alike::text() const
-{
-  const bool isOfCells = first.cells > 0;
-  std::string text =
-    first.input + (isOfCells ? ": " + std::to_string(first.cells) + " cells " : "") + first.what;
-  if (isOfCells)
-  {
-    text += ", the first is cell " + std::to_string(first.firstCell) + "; " + first.consequence;
-  }
-  if (cells.size() > 1)
-  {
-    const vtkIdType all = std::accumulate(cells.begin(), cells.end(), vtkIdType{},
-      [](vtkIdType sum, const auto& some) { return sum + some.second; });
-    text += " (there are " + std::to_string(cells.size()) + " such inputs" +
-      (isOfCells ? ", with " + std::to_string(all) + " such cells" : "") + ")";
-  }
-  return text;
+  kind->second[warning.input] = warning.cells;
 }
 
 std::vector<std::string> InputWarnings::take()
 {
   std::vector<std::string> texts;
-  std::transform(kinds_.begin(), kinds_.end(), std::back_inserter(texts),
-    [](const Alike& kind) { return kind.text(); });
-  kinds_.clear();
+  for (const auto& [first, cells] : std::exchange(kinds_, {}))
+  {
+    const bool isOfCells = first.cells > 0;
+    std::string text =
+      first.input + (isOfCells ? ": " + std::to_string(first.cells) + " cells " : "") + first.what;
+    if (isOfCells)
+    {
+      text += ", the first is cell " + std::to_string(first.firstCell) + "; " + first.consequence;
+    }
+    if (cells.size() > 1)
+    {
+      const vtkIdType all = std::accumulate(cells.begin(), cells.end(), vtkIdType{},
+        [](vtkIdType sum, const auto& some) { return sum + some.second; });
+      text += " (there are " + std::to_string(cells.size()) + " such inputs" +
+        (isOfCells ? ", with " + std::to_string(all) + " such cells" : "") + ")";
+    }
+    texts.push_back(text);
+  }
   return texts;
 }
 

@@ -6,6 +6,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace irradiance
@@ -31,13 +32,8 @@ public:
   std::vector<std::string> take();
 
 private:
-  struct Alike
-  {
-    InputWarning first;
-    std::map<std::string, vtkIdType> cells; ///< by input
-    std::string text() const;
-  };
-  std::vector<Alike> kinds_;
+  /// The first of each kind, and how many cells it is about, by input.
+  std::vector<std::pair<InputWarning, std::map<std::string, vtkIdType>>> kinds_;
 };
 
 }

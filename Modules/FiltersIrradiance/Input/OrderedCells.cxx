@@ -71,38 +71,29 @@ public:
     {
       return mark(a, GlobalId) < mark(b, GlobalId);
     }
-    const int places = compare(pointsOf(a), pointsOf(b));
+    const int places = comparePlaces(a, b);
     return places != 0 ? places < 0
                        : std::array{ mark(a, Process), mark(a, CellOfPiece) } <
         std::array{ mark(b, Process), mark(b, CellOfPiece) };
   }
 
 private:
-  struct Points
-  {
-    vtkIdType count;
-    const vtkIdType* ids;
-  };
-
-  Points pointsOf(vtkIdType cell) const
-  {
-    Points points{};
-    cells_->GetCellPoints(cell, points.count, points.ids);
-    return points;
-  }
-
   /// Below 0 if a comes first.
-  int compare(const Points& a, const Points& b) const
+  int comparePlaces(vtkIdType a, vtkIdType b) const
   {
-    if (a.count != b.count)
+    vtkIdType count, otherCount;
+    const vtkIdType *ids, *otherIds;
+    cells_->GetCellPoints(a, count, ids);
+    cells_->GetCellPoints(b, otherCount, otherIds);
+    if (count != otherCount)
     {
-      return a.count < b.count ? -1 : 1;
+      return count < otherCount ? -1 : 1;
     }
-    for (vtkIdType i = 0; i < a.count; ++i)
+    for (vtkIdType i = 0; i < count; ++i)
     {
       std::array<double, 3> p, q;
-      cells_->GetPoint(a.ids[i], p.data());
-      cells_->GetPoint(b.ids[i], q.data());
+      cells_->GetPoint(ids[i], p.data());
+      cells_->GetPoint(otherIds[i], q.data());
       for (std::size_t axis = 0; axis < p.size(); ++axis)
       {
         const std::int64_t first = keyOf(p[axis]), second = keyOf(q[axis]);

@@ -2,7 +2,6 @@
 #include "Input/SceneReader.h"
 
 #include "Geometry/MovedBox.h"
-#include "Input/GeometryOrigin.h"
 #include "Progress/InputError.h"
 
 #include "vtkDataArray.h"
@@ -109,12 +108,13 @@ void SceneReader::read(
   const SceneInputs& inputs, double defaultReflectance, const CancelPoint& cancelPoint)
 {
   const auto staticParts = partsOf(inputs.statics), dynamicParts = partsOf(inputs.dynamics);
-  const Settings settings{ countBands(inputs), defaultReflectance };
-  if (settings != settings_)
+  const int bands = countBands(inputs);
+  if (bands != bands_ || defaultReflectance != defaultReflectance_)
   {
     staticStamps_.reset();
     dynamicStamps_.clear();
-    settings_ = settings;
+    bands_ = bands;
+    defaultReflectance_ = defaultReflectance;
   }
   hasNews_ = hasNews_ || dynamicStamps_.size() != dynamicParts.size();
   dynamicStamps_.resize(dynamicParts.size());
@@ -141,9 +141,9 @@ void SceneReader::convert(
   MaterialArrays<vtkDataArray> arrays;
   std::transform(part.arrays.begin(), part.arrays.end(), arrays.begin(),
     [&](vtkAbstractArray* array) { return asNumbers(array, part.name); });
-  for (const auto& warnings : { part.warnings,
-         convertPolyData(
-           part.name, part.polyData, arrays, settings_.defaultReflectance, target, cancelPoint) })
+  for (const auto& warnings :
+    { part.warnings,
+      convertPolyData(part.name, part.polyData, arrays, defaultReflectance_, target, cancelPoint) })
   {
     for (const InputWarning& warning : warnings)
     {
@@ -164,7 +164,7 @@ void SceneReader::readStatic(
   }
   hasNews_ = true;
   staticStamps_.reset(); // until all is read
-  ConvertedPolyData all(settings_.bands);
+  ConvertedPolyData all(bands_);
   std::vector<vtkPolyData*> inputs;
   std::transform(staticParts.begin(), staticParts.end(), std::back_inserter(inputs),
     [](const InputPart* part) { return part->polyData; });
@@ -184,7 +184,7 @@ void SceneReader::readDynamic(
   SceneObject& object = objects_.dynamicObjects[index];
   const bool wasPresent = std::exchange(object.isPresent, part.polyData->GetNumberOfCells() > 0);
   hasNews_ = hasNews_ || object.isPresent != wasPresent;
-  if (!object.isPresent && object.material && object.material->bands == settings_.bands)
+  if (!object.isPresent && object.material && object.material->bands == bands_)
   {
     return; // its body and material stay: the object may come back unchanged
   }
@@ -192,7 +192,7 @@ void SceneReader::readDynamic(
   if (!(dynamicStamps_[index] == stamp))
   {
     dynamicStamps_[index].reset(); // until all is read
-    ConvertedPolyData data(settings_.bands);
+    ConvertedPolyData data(bands_);
     data.reserve({ part.polyData });
     convert(part, data, cancelPoint);
     if (stamp.isMirrored)

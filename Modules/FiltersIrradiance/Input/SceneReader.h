@@ -31,7 +31,7 @@ public:
   void read(const SceneInputs& inputs, double defaultReflectance, const CancelPoint& cancelPoint);
 
   const SceneObjects& objects() const { return objects_; }
-  int bands() const { return settings_.bands; }
+  int bands() const { return bands_; }
   /// What bands() is after reading these: 3 if an array has three components, else 1.
   static int countBands(const SceneInputs& inputs);
   /// How many parts are static.
@@ -51,16 +51,6 @@ public:
   void forgetNews() { hasNews_ = false; }
 
 private:
-  struct Settings
-  {
-    int bands = 1;
-    double defaultReflectance = 0.5;
-    bool operator!=(const Settings& other) const
-    {
-      return bands != other.bands || defaultReflectance != other.defaultReflectance;
-    }
-  };
-
   /// An input as it was when it was read. The polydata is held so that its address is not reused.
   struct Stamp
   {
@@ -86,7 +76,8 @@ private:
   void adopt(
     ConvertedPolyData data, SceneObject& object, bool mayMove, const CancelPoint& cancelPoint);
 
-  Settings settings_;
+  int bands_ = 1;
+  double defaultReflectance_ = 0.5;
   std::optional<std::vector<Stamp>> staticStamps_; ///< none: to be read
   std::vector<std::optional<Stamp>> dynamicStamps_;
   SceneObjects objects_;

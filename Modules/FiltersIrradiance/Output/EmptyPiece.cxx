@@ -46,14 +46,16 @@ vtkSmartPointer<vtkPolyData> withoutCells(vtkPolyData* polyData)
   return empty;
 }
 
-void emptyLeaves(vtkDataObjectTree* tree, const std::function<void(vtkPolyData*)>& add)
+void emptyLeaves(
+  vtkDataObjectTree* tree, vtkDataObjectTree* empty, const std::function<void(vtkPolyData*)>& add)
 {
-  forEachLeaf(tree, [&](vtkDataObjectTreeIterator* leaf) {
+  empty->ShallowCopy(tree);
+  forEachLeaf(empty, [&](vtkDataObjectTreeIterator* leaf) {
     if (auto* polyData = vtkPolyData::SafeDownCast(leaf->GetCurrentDataObject()))
     {
-      const auto empty = withoutCells(polyData);
-      add(empty);
-      tree->SetDataSet(leaf, empty);
+      const auto bare = withoutCells(polyData);
+      add(bare);
+      empty->SetDataSet(leaf, bare);
     }
   });
 }

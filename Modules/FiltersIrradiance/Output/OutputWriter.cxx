@@ -35,14 +35,7 @@ namespace
 vtkSmartPointer<vtkLinearTransform> toVtk(const AffineMap& map)
 {
   vtkNew<vtkMatrix4x4> matrix;
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      matrix->SetElement(row, column, map.linear(row, column));
-    }
-    matrix->SetElement(row, 3, map.translation[row]);
-  }
+  matrix->DeepCopy(matrixOf(map).data());
   auto transform = vtkSmartPointer<vtkMatrixToLinearTransform>::New();
   transform->SetInput(matrix);
   return transform;

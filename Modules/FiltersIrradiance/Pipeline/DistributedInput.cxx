@@ -2,9 +2,7 @@
 #include "Pipeline/DistributedInput.h"
 
 #include "Input/ChosenArrays.h"
-#include "Input/GeometryOrigin.h"
 #include "Input/OrderedCells.h"
-#include "Pipeline/RankData.h"
 #include "Progress/InputError.h"
 
 #include "vtkAppendPolyData.h"
@@ -56,13 +54,12 @@ void checkArrays(const std::string& name, const std::vector<vtkSmartPointer<vtkP
 }
 
 /// The pieces of all processes that have cells, marked with whose they are.
-std::vector<vtkSmartPointer<vtkPolyData>> piecesOf(
-  const InputPart& part, vtkMultiProcessController* controller, Ranks& ranks)
+std::vector<vtkSmartPointer<vtkPolyData>> piecesOf(const InputPart& part, ControllerRanks& ranks)
 {
   const auto own =
     part.piece->GetNumberOfCells() > 0 ? markedPiece(part.piece, ranks.rank()) : nullptr;
   std::vector<vtkSmartPointer<vtkPolyData>> pieces;
-  for (const auto& piece : dataOfRanks(own, controller, ranks))
+  for (const auto& piece : ranks.dataOfAll(own))
   {
     pieces.emplace_back(vtkPolyData::SafeDownCast(piece));
   }
@@ -127,25 +124,6 @@ vtkSmartPointer<vtkPolyData> wholeOf(std::vector<vtkSmartPointer<vtkPolyData>> p
   return orderedByPlace(append->GetOutput(), holder, cells);
 }
 
-/// For each part which rank speaks for it, the first with cells; `count` if there is none.
-std::vector<std::size_t> speakersOf(const Parts& parts, Ranks& ranks)
-{
-  const std::size_t count = ranks.count();
-  std::vector<std::int64_t> have(parts.size() * count, 0);
-  for (std::size_t i = 0; i < parts.size(); ++i)
-  {
-    have[i * count + ranks.rank()] = parts[i]->piece->GetNumberOfCells() > 0 ? 1 : 0;
-  }
-  ranks.sum(have.data(), have.size());
-  std::vector<std::size_t> speakers;
-  for (auto of = have.begin(); of != have.end(); of += static_cast<std::ptrdiff_t>(count))
-  {
-    speakers.push_back(
-      static_cast<std::size_t>(std::find(of, of + static_cast<std::ptrdiff_t>(count), 1) - of));
-  }
-  return speakers;
-}
-
 /// The bits of the numbers of a map.
 using MapBits = std::array<std::int64_t, 12>;
 
@@ -165,30 +143,34 @@ AffineMap mapOf(const std::int64_t* bits)
   return map;
 }
 
-/// A process without cells may know no pose.
+/// The pose of a part is that of the first process that has cells of it: one without may know none.
 void sharePoses(const Parts& parts, Ranks& ranks)
 {
-  const std::vector<std::size_t> speakers = speakersOf(parts, ranks);
-  std::vector<std::int64_t> poses; // sums, in which each number has one summand
-  for (std::size_t i = 0; i < parts.size(); ++i)
+  std::vector<std::int64_t> own; // for each part, whether there are cells, and its pose
+  for (const InputPart* part : parts)
   {
-    const MapBits bits = speakers[i] == ranks.rank() ? bitsOf(parts[i]->worldFromPart) : MapBits{};
-    poses.insert(poses.end(), bits.begin(), bits.end());
+    const MapBits bits = bitsOf(part->worldFromPart);
+    own.push_back(part->piece->GetNumberOfCells() > 0 ? 1 : 0);
+    own.insert(own.end(), bits.begin(), bits.end());
   }
-  ranks.sum(poses.data(), poses.size());
+  const std::vector<std::int64_t> all = ranks.concatenate(own);
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
-    if (speakers[i] < ranks.count())
+    std::size_t first = i * (1 + MapBits().size());
+    while (first < all.size() && all[first] == 0)
     {
-      parts[i]->worldFromPart = mapOf(&poses[i * MapBits().size()]);
+      first += own.size();
+    }
+    if (first < all.size())
+    {
+      parts[i]->worldFromPart = mapOf(&all[first + 1]);
     }
   }
 }
 
 }
 
-void DistributedInput::complete(
-  vtkAlgorithm* filter, vtkMultiProcessController* controller, Ranks& ranks, SceneInputs& inputs)
+void DistributedInput::complete(vtkAlgorithm* filter, ControllerRanks& ranks, SceneInputs& inputs)
 {
   const Parts parts = allPartsOf(inputs);
   ranks.expectSame(
@@ -208,7 +190,7 @@ void DistributedInput::complete(
     if (changed[i] > 0)
     {
       whole = {};
-      const auto pieces = piecesOf(part, controller, ranks);
+      const auto pieces = piecesOf(part, ranks);
       vtkPolyData* origin = originOfGeometry(part.polyData);
       std::vector<std::size_t> cells;
       checkArrays(part.name, pieces);
