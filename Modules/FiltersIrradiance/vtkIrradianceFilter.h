@@ -82,12 +82,11 @@ public:
 
   /// @{
   /**
-   * Pose (model to world) of the i-th connection of port 1, null for none: then the pose is the
-   * field-data array `ObjectToWorld` (16 values, row by row) of the input, or else the identity.
-   * Any invertible affine map will do. A leaf of composite data with an `ObjectToWorld` is moved by
-   * that first. It is kept by reference: setting or changing it makes the filter execute, even if
-   * an observer of the progress changes it during a run. Indices follow the connections: after
-   * removing one, set the transforms again.
+   * Pose (model to world) of the i-th connection of port 1, an invertible affine map; null: the
+   * field-data array `ObjectToWorld` (16 values, row by row) of the input, or else the identity. A
+   * leaf of composite data with an `ObjectToWorld` is moved by that first. It is kept by reference:
+   * setting or changing it makes the filter execute, even during a run. Indices follow the
+   * connections: after removing one, set the transforms again.
    */
   void SetDynamicTransform(int i, vtkLinearTransform* worldFromObject);
   vtkLinearTransform* GetDynamicTransform(int i);
@@ -167,11 +166,10 @@ public:
   /**
    * 0 to 1; 5 % is 0.05. If positive, NumberOfWalks are shot first, and their number is doubled
    * until the half-width of the 95 % interval is at most this times the irradiance on 95 % of the
-   * area. Where cells cast rays, NumberOfRays is doubled likewise, whichever promises more for its
-   * time. If MaximumEffort is too little for that, a warning says what was reached. A cell that has
-   * received nothing meets the target if 3 more photons would make it no brighter than this times
-   * the average; a cell with too few photons does not. Updates shoot more or fewer, as the scene
-   * needs. 0: no target. Default 0.
+   * area; where cells cast rays, NumberOfRays likewise, whichever promises more for its time. If
+   * MaximumEffort is too little for that, a warning says what was reached. A cell that has received
+   * nothing meets the target if 3 more photons would make it no brighter than this times the
+   * average; a cell with too few photons does not. 0, the default: no target.
    */
   vtkSetMacro(TargetRelativeError, double);
   vtkGetMacro(TargetRelativeError, double);
@@ -215,14 +213,13 @@ public:
 
   /// @{
   /**
-   * Seconds that the repair of an update may take; 0: no limit. Verification does not count, nor
-   * does the first shooting. No effect if UpdateMode is Rebuild or everything has to be shot again:
-   * then nothing is stale. What is left is repaired by the next executions: without motion call
-   * Modified() and Update() until GetFigure("StalePower") is 0. Until then the cell array
-   * `StaleIrradiance` (`StaleIrradianceFront`, `StaleIrradianceBack`; W/m2) is the part of the
-   * irradiance that rests on walks that are no longer valid, and the field `StaleGainBound` (W) is
-   * the most that the full update can bring to all cells together. See "A time budget" in the
-   * Guide. Default 0.
+   * Seconds that the repair of an update may take; 0, the default: no limit. Verification does not
+   * count, nor does shooting if UpdateMode is Rebuild or everything has to be shot again. What is
+   * left is repaired by the next executions: without motion call Modified() and Update() until
+   * GetFigure("StalePower") is 0. Until then the cell array `StaleIrradiance`
+   * (`StaleIrradianceFront`, `StaleIrradianceBack`; W/m2) is the part of the irradiance that rests
+   * on walks that are no longer valid, and the field `StaleGainBound` (W) is the most that the full
+   * update can bring to all cells together. See "A time budget" in the Guide.
    */
   vtkSetMacro(RepairTimeBudget, double);
   vtkGetMacro(RepairTimeBudget, double);
@@ -353,8 +350,8 @@ public:
    * The name of a further field-data array with a pose (16 values, row by row), by which each part
    * of port 1 that has one is moved first: world = transform or `ObjectToWorld` * this. If a part
    * of a connection has it, all with cells need it. `globalTransform` is for vtkGLTFReader with
-   * ApplyDeformationsToGeometry off; with that on, the array is there as well, but its points have
-   * been moved already. Null or empty: none. Default none.
+   * ApplyDeformationsToGeometry off (with that on, points have been moved already). Null or empty,
+   * the default: none.
    */
   vtkSetStringMacro(PoseArrayName);
   vtkGetStringMacro(PoseArrayName);

@@ -26,9 +26,9 @@ struct LeafData
 /// As in "block 3 (Plate)".
 std::string leafName(vtkDataObjectTreeIterator* leaf);
 
-/// Calls visit(iterator) for all leaves of a tree, in order, without the empty ones.
+/// Calls visit(iterator) for all leaves of a tree, in order.
 using VisitLeaf = std::function<void(vtkDataObjectTreeIterator*)>;
-void forEachLeaf(vtkDataObjectTree* tree, const VisitLeaf& visit);
+void forEachLeaf(vtkDataObjectTree* tree, const VisitLeaf& visit, bool withEmpty = false);
 
 /// All leaves of data, in order, with the empty ones. Throws InputError if one is no vtkDataSet.
 std::vector<LeafData> leavesOf(vtkDataObject* data);

@@ -33,15 +33,6 @@ bool isSameGeometry(vtkPolyData* a, vtkPolyData* b)
     a->GetStrips() == b->GetStrips() && a->GetCellGhostArray() == b->GetCellGhostArray();
 }
 
-InputPart partOf(vtkAlgorithm* filter, const std::string& name, vtkPolyData* polyData)
-{
-  InputPart part;
-  part.name = name;
-  part.polyData = part.piece = polyData;
-  findArrays(filter, part);
-  return part;
-}
-
 InputConnection connectionOf(vtkAlgorithm* filter, int port, int index, vtkDataObject* data)
 {
   InputConnection connection;
@@ -55,7 +46,11 @@ InputConnection connectionOf(vtkAlgorithm* filter, int port, int index, vtkDataO
         "; only vtkPolyData can be computed (vtkGeometryFilter makes one of most data, in ParaView "
         "the filter Extract Surface)");
     }
-    connection.parts.push_back(partOf(filter, name, polyData));
+    InputPart part;
+    part.name = name;
+    part.polyData = part.piece = polyData;
+    findArrays(filter, part);
+    connection.parts.push_back(part);
   };
   if (vtkDataObjectTree* tree = vtkDataObjectTree::SafeDownCast(data))
   {

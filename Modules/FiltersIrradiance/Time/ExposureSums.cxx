@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <utility>
 
@@ -204,14 +205,11 @@ bool isAlike(const Side& a, const Side& b)
 
 void appendSide(Side& side, const Side& next, bool isShared)
 {
-  for (std::size_t i = 0; i < side.exposure.size(); ++i)
-  {
-    side.exposure[i] += next.exposure[i];
-  }
-  for (std::size_t i = 0; i < side.errorBound.size(); ++i)
-  {
-    side.errorBound[i] += next.errorBound[i];
-  }
+  const auto add = [](const std::vector<double>& more, std::vector<double>& sum) {
+    std::transform(sum.begin(), sum.end(), more.begin(), sum.begin(), std::plus<>());
+  };
+  add(next.exposure, side.exposure);
+  add(next.errorBound, side.errorBound);
   if (side.replicates)
   {
     side.replicates->append(*next.replicates, isShared);
