@@ -2,7 +2,6 @@
 #include "vtkIrradianceFilter.h"
 
 #include "Data/ArrayNames.h"
-#include "Data/OldNames.h"
 #include "Estimates/AutomaticChoice.h"
 #include "Execution/ProgressSpan.h"
 #include "FinalGather/PathLights.h"
@@ -170,29 +169,6 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
     throw irradiance::InputError(conflict);
   }
   return settings;
-}
-
-vtkInformation* RequestingOutput(vtkInformation* request, vtkInformationVector* outputs)
-{
-  const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
-  return outputs->GetInformationObject(port);
-}
-
-/// The time for which the requested output is to be computed; none if the request names no time.
-std::optional<double> RequestedTime(vtkInformation* request, vtkInformationVector* outputs)
-{
-  auto* const key = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
-  vtkInformation* info = RequestingOutput(request, outputs);
-  return info->Has(key) ? std::optional<double>(info->Get(key)) : std::nullopt;
-}
-
-void SetDataTime(const std::optional<double>& time, vtkInformationVector* outputs)
-{
-  for (int i = 0; time && i < outputs->GetNumberOfInformationObjects(); ++i)
-  {
-    vtkDataObject* output = vtkDataObject::GetData(outputs, i);
-    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), *time);
-  }
 }
 
 /// Has walks stored, and whole on each rank, for filters that read their photons. Throws
@@ -775,7 +751,10 @@ int vtkIrradianceFilter::RequestData(
   const int connections =
     inputs[0]->GetNumberOfInformationObjects() + inputs[1]->GetNumberOfInformationObjects();
   const bool isUnused = connections == 0 && this->Internals->Poses.empty();
-  const std::optional<double> time = RequestedTime(request, outputs);
+  vtkInformation* asked =
+    outputs->GetInformationObject(std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT())));
+  auto* const timeKey = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
+  const auto time = asked->Has(timeKey) ? std::optional<double>(asked->Get(timeKey)) : std::nullopt;
   if (!isUnused)
   {
     this->Internals->Begun = this->InputTime();
@@ -790,7 +769,7 @@ int vtkIrradianceFilter::RequestData(
     }
     irradiance::SceneInputs read = this->Internals->GetInputs(inputs);
     this->Internals->Complete(read, ranks);
-    const bool isLaterPiece = irradiance::isEmptyPieceRequested(RequestingOutput(request, outputs));
+    const bool isLaterPiece = irradiance::isEmptyPieceRequested(asked);
     const bool isEmpty = isLaterPiece && !this->DistributedInput;
     if (!isEmpty || ranks.areSeveral())
     {
@@ -806,7 +785,12 @@ int vtkIrradianceFilter::RequestData(
     {
       walks->Initialize(); // each walk once
     }
-    SetDataTime(time, outputs);
+    for (int i = 0; time && i < outputs->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkDataObject::GetData(outputs, i)
+        ->GetInformation()
+        ->Set(vtkDataObject::DATA_TIME_STEP(), *time);
+    }
   };
   return irradiance::runFilter(this, output, compute, &ranks);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIrradianceProbeFilter.h"
 
-#include "Data/OldNames.h"
 #include "Output/EmptyPiece.h"
 #include "Output/SensorLight.h"
 #include "Pipeline/FilterRun.h"

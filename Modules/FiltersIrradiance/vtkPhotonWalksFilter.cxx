@@ -28,14 +28,6 @@ int vtkPhotonWalksFilter::RequestUpdateExtent(
   return 1;
 }
 
-void vtkPhotonWalksFilter::Compute(vtkMultiBlockDataSet* input, vtkPolyData* output)
-{
-  const irradiance::PhotonSource source(input, "the input");
-  irradiance::SmpExecution execution = irradiance::executionOf(this);
-  irradiance::writeWalks({ this->NumberOfWalks, this->CellPort, this->CellConnection, this->Cell },
-    source, input, execution, output);
-}
-
 int vtkPhotonWalksFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -44,7 +36,11 @@ int vtkPhotonWalksFilter::RequestData(
   return irradiance::runFilter(this, output, [&] {
     if (!irradiance::isEmptyPieceRequested(outputs->GetInformationObject(0))) // each walk once
     {
-      this->Compute(input, output);
+      const irradiance::PhotonSource source(input, "the input");
+      irradiance::SmpExecution execution = irradiance::executionOf(this);
+      irradiance::writeWalks(
+        { this->NumberOfWalks, this->CellPort, this->CellConnection, this->Cell }, source, input,
+        execution, output);
     }
   });
 }

@@ -26,8 +26,6 @@
 #include "vtkFiltersIrradianceModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
-class vtkMultiBlockDataSet;
-
 class VTKFILTERSIRRADIANCE_EXPORT vtkPhotonWalksFilter : public vtkPolyDataAlgorithm
 {
 public:
@@ -77,8 +75,6 @@ protected:
 private:
   vtkPhotonWalksFilter(const vtkPhotonWalksFilter&) = delete;
   void operator=(const vtkPhotonWalksFilter&) = delete;
-
-  void Compute(vtkMultiBlockDataSet* input, vtkPolyData* output);
 };
 
 #endif

@@ -3,7 +3,6 @@
 
 #include "Data/ArrayNames.h"
 #include "Data/LeafData.h"
-#include "Data/OldNames.h"
 #include "FinalGather/DarkShapes.h"
 #include "Input/PointFacets.h"
 #include "Output/EmptyPiece.h"

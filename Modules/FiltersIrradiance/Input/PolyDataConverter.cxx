@@ -183,20 +183,16 @@ private:
   /// Lines have no surface, but may carry a flux or an exitance.
   void readLines()
   {
-    const vtkIdType end = cell_ + input_->GetNumberOfLines();
-    for (; cell_ < end && (arrays_[Flux] || arrays_[Exitance]); ++cell_)
-    {
-      pace_.step();
-      if (!isGhost() && largest(arrays_[Flux]) > 0)
+    forEachOwnCell(input_->GetLines(), [this](vtkIdType, const vtkIdType*) {
+      if (largest(arrays_[Flux]) > 0)
       {
         fluxElsewhere_.add(cell_);
       }
-      if (!isGhost() && largest(arrays_[Exitance]) > 0)
+      if (largest(arrays_[Exitance]) > 0)
       {
         exitanceElsewhere_.add(cell_);
       }
-    }
-    cell_ = end;
+    });
   }
 
   /// `addTriangles` of the present corners.

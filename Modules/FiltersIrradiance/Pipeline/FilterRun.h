@@ -4,9 +4,12 @@
 
 #include "Execution/Execution.h"
 
+#include "vtkObject.h"
 #include "vtkSMPTools.h"
 
 #include <functional>
+#include <set>
+#include <string>
 #include <utility>
 
 class vtkAlgorithm;
@@ -16,6 +19,24 @@ class vtkInformation;
 
 namespace irradiance
 {
+
+/// Names of a filter's public face that work for one more release. Each filter warns once of each
+/// name that is used.
+class OldNames
+{
+public:
+  /// `what` to do instead: "set Method".
+  void warn(vtkObject* filter, const std::string& name, const std::string& what)
+  {
+    if (warned_.insert(name).second)
+    {
+      vtkWarningWithObjectMacro(filter, << name << " will go: " << what);
+    }
+  }
+
+private:
+  std::set<std::string> warned_;
+};
 
 /// Has an input port take data of these types. Composite ones come first: else the executive would
 /// call the filter for each block separately.
