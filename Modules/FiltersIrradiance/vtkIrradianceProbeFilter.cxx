@@ -189,23 +189,6 @@ void vtkIrradianceProbeFilter::Compute(vtkDataSet* input, vtkDataObject* scene, 
   }
 }
 
-/// Without points, see isEmptyPieceRequested().
-void vtkIrradianceProbeFilter::WriteEmpty(
-  vtkDataSet* input, vtkDataObject* scene, vtkDataSet* output)
-{
-  irradiance::copyEmptyArrays(input, output);
-  const int bands = irradiance::bandsOf(scene);
-  if (this->Estimate == Gathered)
-  {
-    irradiance::addGatheredLight(
-      output, bands, NormalsOf(input) != nullptr, irradiance::haveErrors(scene));
-  }
-  else
-  {
-    irradiance::addNearestLight(output, bands);
-  }
-}
-
 int vtkIrradianceProbeFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -217,13 +200,23 @@ int vtkIrradianceProbeFilter::RequestData(
     // What could not be computed has no blocks: that is an error on all processes.
     auto* blocks = vtkMultiBlockDataSet::SafeDownCast(scene);
     const bool isComputed = blocks && blocks->GetNumberOfBlocks() > 0;
-    if (isComputed && irradiance::isEmptyPieceRequested(info))
+    if (!isComputed || !irradiance::isEmptyPieceRequested(info))
     {
-      this->WriteEmpty(input, scene, output);
+      this->Compute(input, scene, output);
     }
     else
     {
-      this->Compute(input, scene, output);
+      irradiance::copyEmptyArrays(input, output);
+      const int bands = irradiance::bandsOf(scene);
+      if (this->Estimate == Nearest)
+      {
+        irradiance::addNearestLight(output, bands);
+      }
+      else
+      {
+        irradiance::addGatheredLight(
+          output, bands, NormalsOf(input) != nullptr, irradiance::haveErrors(scene));
+      }
     }
     SetDataTime(info, output);
   });

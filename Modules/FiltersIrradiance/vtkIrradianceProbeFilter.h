@@ -201,7 +201,6 @@ private:
   void operator=(const vtkIrradianceProbeFilter&) = delete;
 
   void Compute(vtkDataSet* sensors, vtkDataObject* source, vtkDataSet* output);
-  void WriteEmpty(vtkDataSet* sensors, vtkDataObject* source, vtkDataSet* output);
 
   std::unique_ptr<vtkInternals> Internals;
 };

@@ -34,20 +34,6 @@ vtkStandardNewMacro(vtkKeyFramedPose);
 namespace
 {
 
-void SetPose(vtkPolyData* polyData, const irradiance::AffineMap& worldFromObject)
-{
-  const auto array = irradiance::addArray<vtkDoubleArray>(
-    polyData->GetFieldData(), irradiance::kFieldPoseName, 16, 1);
-  array->SetTypedTuple(0, irradiance::matrixOf(worldFromObject).data());
-}
-
-void CopyArraysOnly(vtkPolyData* input, vtkPolyData* output)
-{
-  irradiance::copyEmptyArrays(input, output);
-  output->GetFieldData()->ShallowCopy(input->GetFieldData());
-  output->GetFieldData()->RemoveArray(irradiance::kFieldPoseName);
-}
-
 /// None: the part is not there.
 using OptionalPose = std::optional<irradiance::AffineMap>;
 
@@ -63,13 +49,17 @@ void PassOnLeaf(const std::string& name, vtkDataObject* data, const OptionalPose
   }
   if (!worldFromInput)
   {
-    CopyArraysOnly(input, output);
+    irradiance::copyEmptyArrays(input, output);
+    output->GetFieldData()->ShallowCopy(input->GetFieldData());
+    output->GetFieldData()->RemoveArray(irradiance::kFieldPoseName);
     return;
   }
   output->ShallowCopy(input);
   irradiance::notePassedGeometry(output, input);
-  SetPose(
-    output, irradiance::composed(*worldFromInput, irradiance::poseOf(name, input->GetFieldData())));
+  const irradiance::AffineMap pose =
+    irradiance::composed(*worldFromInput, irradiance::poseOf(name, input->GetFieldData()));
+  irradiance::addArray<vtkDoubleArray>(output->GetFieldData(), irradiance::kFieldPoseName, 16, 1)
+    ->SetTypedTuple(0, irradiance::matrixOf(pose).data());
 }
 
 void PassOn(vtkDataObject* input, OptionalPose worldFromInput, vtkDataObject* output)

@@ -4,10 +4,11 @@
 
 #include "Geometry/Vector.h"
 #include "Input/ChosenArrays.h"
-#include "Input/InputWarning.h"
 #include "Input/PartCells.h"
 
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkAbstractArray;
@@ -18,6 +19,16 @@ class vtkPolyData;
 
 namespace irradiance
 {
+
+/// About an input that can be computed all the same.
+struct InputWarning
+{
+  std::string input; ///< its name
+  std::string what;  ///< follows the name, the same for all such inputs
+  /// If it is about some of its cells: `what` follows their number, and this their first.
+  std::string consequence{};
+  vtkIdType cells = 0, firstCell = -1;
+};
 
 /// One polydata of the scene: the data of a connection, or a leaf of a composite one.
 struct InputPart
@@ -92,6 +103,20 @@ void notePassedGeometry(vtkPolyData* output, vtkPolyData* input);
 /// The polydata from which the geometry was passed on, through several filters perhaps; `polyData`
 /// itself if there is no note.
 vtkPolyData* originOfGeometry(vtkPolyData* polyData);
+
+/// Says once what is the same for many inputs, naming the first and how many there are.
+class InputWarnings
+{
+public:
+  /// Of an input that is read again, the same warning counts once.
+  void add(const InputWarning& warning);
+  /// A text for each kind of warning since the last call.
+  std::vector<std::string> take();
+
+private:
+  /// The first of each kind, and how many cells it is about, by input.
+  std::vector<std::pair<InputWarning, std::map<std::string, vtkIdType>>> kinds_;
+};
 
 }
 

@@ -3,8 +3,7 @@
 #define irradiance_PolyDataConverter_h
 
 #include "Geometry/Triangle.h"
-#include "Input/ChosenArrays.h"
-#include "Input/InputWarning.h"
+#include "Input/InputConnection.h"
 #include "Progress/CancelPoint.h"
 #include "Surfaces/Emission.h"
 #include "Surfaces/Material.h"

@@ -63,8 +63,10 @@ void emptyLeaves(
 namespace
 {
 
-/// The first polydata of a tree, or the polydata itself; null if there is none.
-vtkPolyData* firstPolyData(vtkDataObject* data)
+/// The array of the irradiance in polydata, or in the first leaf of a tree of them, or of what
+/// `nameOf` makes of that name; null if there is none.
+template <class NameOf>
+vtkDataArray* findArray(vtkDataObject* data, const NameOf& nameOf)
 {
   vtkPolyData* first = vtkPolyData::SafeDownCast(data);
   if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
@@ -73,20 +75,12 @@ vtkPolyData* firstPolyData(vtkDataObject* data)
       first = first ? first : vtkPolyData::SafeDownCast(leaf->GetCurrentDataObject());
     });
   }
-  return first;
-}
-
-/// Its array of the irradiance, or of what `nameOf` makes of that name; null if there is none.
-template <class NameOf>
-vtkDataArray* findArray(vtkDataObject* data, const NameOf& nameOf)
-{
-  vtkPolyData* polyData = firstPolyData(data);
   vtkDataArray* found = nullptr;
   for (const char* suffix : kSideSuffixes)
   {
-    found = found || !polyData
+    found = found || !first
       ? found
-      : polyData->GetCellData()->GetArray(nameOf(irradianceName(suffix)).c_str());
+      : first->GetCellData()->GetArray(nameOf(irradianceName(suffix)).c_str());
   }
   return found;
 }
