@@ -191,16 +191,6 @@ void KeepWhatIsRead(irradiance::EngineSettings& settings, vtkInformation* reques
   }
 }
 
-/// Throws InputError.
-void CheckLights(const irradiance::SceneReader& scene, const irradiance::SceneInputs& inputs)
-{
-  if (const auto unseen = irradiance::unseenLight(scene.objects()))
-  {
-    throw irradiance::InputError(unseen->message("Method Gathered",
-      scene.nameOf(unseen->light, inputs), scene.nameOf(unseen->specular, inputs)));
-  }
-}
-
 std::string TargetMissed(const irradiance::IrradianceEngine& engine,
   const irradiance::EngineSettings& settings, double effort)
 {
@@ -310,9 +300,11 @@ public:
     {
       vtkWarningWithObjectMacro(this->Filter, << warning);
     }
-    if (settings.cellEstimate == irradiance::CellEstimate::Gathered)
+    const bool gathers = settings.cellEstimate == irradiance::CellEstimate::Gathered;
+    if (const auto unseen = gathers ? irradiance::unseenLight(this->Scene.objects()) : std::nullopt)
     {
-      CheckLights(this->Scene, inputs);
+      throw irradiance::InputError(unseen->message("Method Gathered",
+        this->Scene.nameOf(unseen->light, inputs), this->Scene.nameOf(unseen->specular, inputs)));
     }
     const irradiance::LeftToScene left{ this->Filter->GetDirectLight() == AutomaticDirectLight,
       this->Filter->GetCellEstimate() == AutomaticEstimate };

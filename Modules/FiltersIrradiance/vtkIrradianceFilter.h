@@ -311,9 +311,8 @@ public:
   /// @{
   /**
    * Number of independent replicates from which errors are estimated, 2 to 256. With few, the
-   * estimate is crude and the interval wide (ConfidenceFactor 12.7 with 2, 2.13 with 16, 2.00 with
-   * 64). With many, each has few walks, and less is gained by the evenness of the samples.
-   * Default 16.
+   * interval is wide (ConfidenceFactor 12.7 with 2, 2.13 with 16, 2.00 with 64); with many, each
+   * has few walks, and less is gained by the evenness of the samples. Default 16.
    */
   vtkSetMacro(NumberOfReplicates, int);
   vtkGetMacro(NumberOfReplicates, int);

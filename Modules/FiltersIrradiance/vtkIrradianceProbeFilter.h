@@ -34,8 +34,7 @@
  * With Nearest
  * - `Irradiance` (double, W/m2, as many components as in the source): NaN where there is no surface
  *   within MaximumDistance that faces as the sensor does, and farther than a million sizes of the
- *   scene away from it, where nothing can be told. One warning says how many such sensors there
- *   are, and which is the first;
+ *   scene away from it. One warning says how many such sensors there are, and which is the first;
  * - `NumberOfPhotons` (found; fewer than asked for if there are no more within MaximumRadius, 0
  *   where the irradiance is NaN);
  * - `SearchRadius` (double, m): the distance of the farthest of them; MaximumRadius if there are
@@ -44,10 +43,9 @@
  * With Gathered
  * - `Irradiance` (double, W/m2, likewise) on the plane across the normal: NaN only farther than a
  *   million sizes of the scene away, with a warning; 0 inside of closed bodies;
- * - without normals instead `FluenceRate` (double, W/m2): what arrives from all directions, the
- *   integral of the radiance over the sphere. It is also known as scalar irradiance; of a beam it
- *   is the irradiance on a plane across it, and where all directions are alike four times the
- *   irradiance of a plane;
+ * - without normals instead `FluenceRate` (double, W/m2), also known as scalar irradiance: the
+ *   integral of the radiance over the sphere; of a beam it is the irradiance on a plane across it,
+ *   where all directions are alike four times the irradiance of a plane;
  * - `IrradianceStandardError` or `FluenceRateStandardError` (double, W/m2) where the source has
  *   standard errors (ComputeStandardError): from its replicates, each with rays of its own that
  *   read its own sums. NaN where nothing arrived; the field `NumberOfUnknownErrors` counts these.
@@ -159,8 +157,7 @@ public:
   /**
    * With Nearest, photons farther away do not count, m; >= 0, may be infinite. With 0, the default,
    * it is four times the radius that NumberOfPhotons photons fill on the average of the scene, but
-   * at most a quarter of the scene's largest extent: so dark places do not draw on light from
-   * elsewhere, and have fewer photons.
+   * at most a quarter of the scene's largest extent: dark places draw on no light from elsewhere.
    */
   vtkSetMacro(MaximumRadius, double);
   vtkGetMacro(MaximumRadius, double);

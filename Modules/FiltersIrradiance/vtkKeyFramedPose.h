@@ -15,15 +15,13 @@
  *
  * Composite data (vtkMultiBlockDataSet, vtkPartitionedDataSet, vtkPartitionedDataSetCollection)
  * keep their structure and the names of their blocks. All leaves have to be vtkPolyData; empty ones
- * stay empty. The pose stands in the field data of each leaf, so that a block that is taken out or
- * put into another tree keeps it: world = pose * the tree's own * the leaf's own. The tree's own is
- * not passed on, as it is in the leaves now.
+ * stay empty. The pose stands in the field data of each leaf: world = pose * the tree's own * the
+ * leaf's own; the tree's own is not passed on.
  *
  * TIME_STEPS of the output: the times of the keys, NumberOfTimeSteps between them, and the steps of
  * the input. TIME_RANGE: from the first to the last of them, and the input's.
  *
- * Progress is reported while poses are read, and AbortExecute honoured; after an abort the output
- * is empty.
+ * Progress is reported while poses are read. AbortExecute is honoured; then the output is empty.
  *
  * @section File
  * Comma-separated values. The first line names the columns, in any order; other columns are passed
@@ -78,9 +76,8 @@ public:
   /// @{
   /**
    * Adds a key: at this time the object's origin is at (x, y, z), m, and it is turned by (rx, ry,
-   * rz), degrees, in the manner of vtkProp3D: about its y axis first, then x, then z (RotateZ,
-   * RotateX, RotateY of vtkTransform). Rotations go the shorter way from key to key, so the keys of
-   * something that spins have to be less than 180 degrees apart.
+   * rz), degrees, as vtkProp3D: about its y axis first, then x, then z. Rotations go the shorter
+   * way from key to key: keys of what spins have to be less than 180 degrees apart.
    */
   void AddPose(double time, double x, double y, double z, double rx, double ry, double rz);
   void AddPose(double time, const double position[3], const double orientation[3]);

@@ -110,15 +110,6 @@ std::unique_ptr<irradiance::ExposureIntegral> MakeIntegral(
       : irradiance::uniformTimes(settings.Span, settings.NumberOfTimeSteps));
 }
 
-/// Of that, and of the times of the input.
-std::uint64_t HashOf(const Settings& settings, vtkInformation* input)
-{
-  irradiance::Hash hash;
-  std::apply([&](const auto&... all) { (hash.add(all), ...); }, settings.Shared());
-  hash.add(irradiance::stepsOf(input));
-  return hash.value();
-}
-
 void AddTimes(const irradiance::ExposureIntegral& integral, vtkFieldData* fields)
 {
   const std::vector<double>& times = integral.times();
@@ -264,8 +255,10 @@ private:
   {
     if (ranks.areSeveral())
     {
-      ranks.expectSame(
-        HashOf(this->Of, this->Input()), "other settings or times than on the first process");
+      irradiance::Hash hash;
+      std::apply([&](const auto&... all) { (hash.add(all), ...); }, this->Of.Shared());
+      hash.add(irradiance::stepsOf(this->Input()));
+      ranks.expectSame(hash.value(), "other settings or times than on the first process");
     }
   }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/OrderedCells.h"
 
+#include "Data/NamedArray.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"
@@ -118,10 +120,8 @@ vtkSmartPointer<vtkPolyData> markedPiece(vtkPolyData* piece, std::uint32_t rank)
   auto marked = vtkSmartPointer<vtkPolyData>::New();
   marked->CopyStructure(piece);
   marked->GetCellData()->ShallowCopy(piece->GetCellData());
-  vtkNew<vtkIdTypeArray> marks;
-  marks->SetName(kMark);
-  marks->SetNumberOfComponents(kMarkComponents);
-  marks->SetNumberOfTuples(piece->GetNumberOfCells());
+  const auto marks = addArray<vtkIdTypeArray>(
+    marked->GetCellData(), kMark, kMarkComponents, piece->GetNumberOfCells());
   vtkDataArray* ids = piece->GetCellData()->GetGlobalIds();
   for (vtkIdType i = 0; i < piece->GetNumberOfCells(); ++i)
   {
@@ -129,7 +129,6 @@ vtkSmartPointer<vtkPolyData> markedPiece(vtkPolyData* piece, std::uint32_t rank)
     marks->SetTypedComponent(i, CellOfPiece, i);
     marks->SetTypedComponent(i, GlobalId, ids ? static_cast<vtkIdType>(ids->GetTuple1(i)) : -1);
   }
-  marked->GetCellData()->AddArray(marks);
   return marked;
 }
 
