@@ -192,7 +192,7 @@ public:
 
   void take(vtkDataObject* data) override
   {
-    const TimedData input{ nextTime(), snapshotOf(data) };
+    const TimedData input{ nextTimes(1).front(), snapshotOf(data) };
     checks_.add(input, 0);
     checks_.close();
     last_ = input.time == lastTime_ ? input.data : last_;

@@ -24,8 +24,7 @@ public:
   virtual bool isDone() const = 0;
   /// The times that are needed next, in order, as far as they are known: 1 to `most`; not if done.
   virtual std::vector<double> nextTimes(std::size_t most) const = 0;
-  double nextTime() const { return nextTimes(1).front(); }
-  /// Takes the data of nextTime(). Throws InputError; then the integral is of no use any more.
+  /// Takes the data of the first of these. Throws InputError; then the integral is of no use any more.
   virtual void take(vtkDataObject* data) = 0;
   /// From 0 to 1.
   virtual double progress() const = 0;

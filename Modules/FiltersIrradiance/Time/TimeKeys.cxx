@@ -33,14 +33,13 @@ std::string rangeText(const TimeSpan& span)
   return text(span.start) + " to " + text(span.end);
 }
 
-double checkedTime(const char* name, double time, const TimeSpan& range)
+void checkWithin(const char* name, double time, const TimeSpan& range)
 {
   if (!(time >= range.start && time <= range.end))
   {
     throw InputError(std::string(name) + " is " + text(time) +
       ", outside of the input's times, which are " + rangeText(range));
   }
-  return time;
 }
 
 /// The time that data say to be of. Files have some times alone, and take the nearest. Data that do
@@ -136,8 +135,8 @@ TimeSpan timeSpan(vtkInformation* input, double startTime, double endTime)
   }
   const TimeSpan span{ std::isnan(startTime) ? range.start : startTime,
     std::isnan(endTime) ? range.end : endTime };
-  checkedTime("StartTime", span.start, range);
-  checkedTime("EndTime", span.end, range);
+  checkWithin("StartTime", span.start, range);
+  checkWithin("EndTime", span.end, range);
   if (!(span.start < span.end))
   {
     throw InputError("the limits are the wrong way round, or equal: StartTime is " +
