@@ -9,7 +9,7 @@
 #include "RoomScene.h"
 #include "TeapotScene.h"
 
-#include "Pipeline/SmpExecution.h"
+#include "Pipeline/FilterRun.h"
 
 #include <vtkImageData.h>
 #include <vtkOutgoingRadianceFilter.h>
