@@ -56,15 +56,6 @@ struct TreeQuery : PreparedQuery
   float margin;     ///< from a hit to the limit behind it
   float behindSign; ///< 0 or -0
   unsigned octant;
-
-  /// Sets what all searches in a tree have in common.
-  void setTree(const TriangleTree& searched)
-  {
-    tree = &searched;
-    slack = static_cast<float>(tree->slack() + kBlur);
-    edgeBlur = static_cast<float>(kEdgeBlur + 4 * tree->blur());
-    leastBlur = static_cast<float>(kLeastBlur + 32 * tree->blur());
-  }
 };
 
 /// Tests triangles at once, in double: few, where there is no room for more candidates or floats do
