@@ -3,7 +3,6 @@
 #define irradiance_PrepareLanes_h
 
 #include "Kernels/TreeQuery.h"
-#include "Kernels/TreeRays.h"
 #include "Simd/Transpose4.h"
 #include "Trees/KdBounds.h"
 
