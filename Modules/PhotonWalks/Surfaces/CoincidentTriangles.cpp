@@ -3,7 +3,7 @@
 
 #include "Execution/SlicedPass.h"
 #include "Surfaces/Touching.h"
-#include "Trees/BoxQuery.h"
+#include "Trees/LeafQuery.h"
 
 #include <algorithm>
 

@@ -14,7 +14,11 @@ public:
   explicit FrontQueue(FrontSearches& front)
     : front_(front)
   {
-    common_.setTree(front.tree);
+    const TriangleTree& tree = front.tree;
+    common_.tree = &tree;
+    common_.slack = static_cast<float>(tree.slack() + TreeQuery::kBlur);
+    common_.edgeBlur = static_cast<float>(TreeQuery::kEdgeBlur + 4 * tree.blur());
+    common_.leastBlur = static_cast<float>(TreeQuery::kLeastBlur + 32 * tree.blur());
   }
 
   /// The next search; false if there is none.

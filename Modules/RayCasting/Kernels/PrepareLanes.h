@@ -3,7 +3,6 @@
 #define irradiance_PrepareLanes_h
 
 #include "Kernels/TreeQuery.h"
-#include "Kernels/TreeRays.h"
 #include "Simd/Transpose4.h"
 #include "Trees/KdBounds.h"
 
@@ -57,10 +56,14 @@ struct PrepareLanes
       const float ix = static_cast<float>(largest / dx), iy = static_cast<float>(largest / dy),
                   iz = static_cast<float>(largest / dz);
       const float flattest = most(most(size(ix), size(iy)), size(iz));
-      const Slab x(lowerX - ox, upperX - ox, ix), y(lowerY - oy, upperY - oy, iy),
-        z(lowerZ - oz, upperZ - oz, iz);
-      const float entry = most(most(x.entry, y.entry), z.entry);
-      const float exit = least(least(x.exit, y.exit), z.exit);
+      const float ax = static_cast<float>(lowerX - ox) * ix,
+                  bx = static_cast<float>(upperX - ox) * ix,
+                  ay = static_cast<float>(lowerY - oy) * iy,
+                  by = static_cast<float>(upperY - oy) * iy,
+                  az = static_cast<float>(lowerZ - oz) * iz,
+                  bz = static_cast<float>(upperZ - oz) * iz;
+      const float entry = most(most(least(ax, bx), least(ay, by)), least(az, bz));
+      const float exit = least(least(most(ax, bx), most(ay, by)), most(az, bz));
       const float from = most(entry - kEntryError * size(entry), 0.0F);
       const float to = exit + kEntryError * size(exit);
       // Any number will do that is not too large: the place on the ray is exact.
@@ -170,19 +173,6 @@ private:
       floatsOf(rows[3]) + to };
     transpose4<float>(from, into);
   }
-
-  struct Slab
-  {
-    float entry, exit;
-
-    __attribute__((always_inline)) Slab(double toLower, double toUpper, float inverse)
-    {
-      const float lower = static_cast<float>(toLower) * inverse;
-      const float upper = static_cast<float>(toUpper) * inverse;
-      entry = least(lower, upper);
-      exit = most(lower, upper);
-    }
-  };
 
   template <class Number>
   __attribute__((always_inline)) static Number most(Number a, Number b)

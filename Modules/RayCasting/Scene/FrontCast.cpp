@@ -171,20 +171,12 @@ void FrontCast::castBodies(const Scene& scene, const Scene::Group& group,
   {
     const std::uint32_t index = group.instanced[body];
     std::uint32_t count = 0;
-    raysOfBodies_.forEach(
-      body, [&](std::uint32_t ray) { count = pick(scene, index, rays, ray, count); });
+    raysOfBodies_.forEach(body, [&](std::uint32_t ray) {
+      local_.ray[count] = ray;
+      count += scene.mayTouch(scene.placed_[index], rayOf(rays, ray), rays.distance[ray]) ? 1 : 0;
+    });
     castPicked(scene, index, triangles, rays, count);
   }
-}
-
-/// Adds the ray to `local_.ray`, which holds so many, if it may touch the body; returns how many it
-/// holds.
-std::uint32_t FrontCast::pick(const Scene& scene, std::uint32_t index, const TreeRays& rays,
-  std::uint32_t ray, std::uint32_t count)
-{
-  local_.ray[count] = ray;
-  return count +
-    (scene.mayTouch(scene.placed_[index], rayOf(rays, ray), rays.distance[ray]) ? 1 : 0);
 }
 
 /// Casts the rays in `local_.ray`, so many, to a body.
@@ -196,21 +188,10 @@ void FrontCast::castPicked(const Scene& scene, std::uint32_t index, const FrontT
     return;
   }
   const std::uint32_t object = index + 1;
-  takeToBody(scene, object, rays, count);
-  const TriangleMesh& mesh = scene.meshOf(object);
-  search_.run(scene.bodyOf(object).tree(), mesh,
-    local_.columns(count, triangles.numbers.first(object), static_cast<std::uint32_t>(mesh.size())),
-    rowsOf(mesh));
-  giveBack(rays, count);
-}
-
-/// By the same operations as everywhere, so that hits have the same bits.
-void FrontCast::takeToBody(
-  const Scene& scene, std::uint32_t object, const TreeRays& rays, std::uint32_t count)
-{
   for (std::uint32_t i = 0; i < count; ++i)
   {
     const std::uint32_t ray = local_.ray[i];
+    // By the same operations as everywhere, so that hits have the same bits.
     const Ray local = scene.localRay(rayOf(rays, ray), object);
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -221,10 +202,11 @@ void FrontCast::takeToBody(
     local_.distance[i] = rays.distance[ray];
     local_.hit[i] = rays.hit[ray];
   }
-}
-
-void FrontCast::giveBack(const TreeRays& rays, std::uint32_t count)
-{
+  clock.ends(Stage::PreTest);
+  const TriangleMesh& mesh = scene.meshOf(object);
+  search_.run(scene.bodyOf(object).tree(), mesh,
+    local_.columns(count, triangles.numbers.first(object), static_cast<std::uint32_t>(mesh.size())),
+    rowsOf(mesh));
   for (std::uint32_t i = 0; i < count; ++i)
   {
     const std::uint32_t ray = local_.ray[i];

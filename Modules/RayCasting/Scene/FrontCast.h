@@ -57,13 +57,8 @@ private:
     const Scene& scene, std::uint32_t index, const FrontTriangles& triangles, const TreeRays& rays);
   void castBodies(const Scene& scene, const Scene::Group& group, const FrontTriangles& triangles,
     const TreeRays& rays);
-  std::uint32_t pick(const Scene& scene, std::uint32_t index, const TreeRays& rays,
-    std::uint32_t ray, std::uint32_t count);
   void castPicked(const Scene& scene, std::uint32_t index, const FrontTriangles& triangles,
     const TreeRays& rays, std::uint32_t count);
-  void takeToBody(
-    const Scene& scene, std::uint32_t object, const TreeRays& rays, std::uint32_t count);
-  void giveBack(const TreeRays& rays, std::uint32_t count);
   void addTest(const Scene& scene, std::uint32_t ray, std::uint32_t number, const TriangleId& id);
   void runTests(const Scene& scene, const FrontTriangles& triangles, const TreeRays& rays);
 

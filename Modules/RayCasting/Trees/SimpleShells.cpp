@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trees/SimpleShells.h"
 
-#include "Trees/BoxQuery.h"
+#include "Trees/LeafQuery.h"
 
 #include <algorithm>
 #include <array>
@@ -15,22 +15,15 @@ namespace
 template <std::size_t N>
 using Points = std::array<Vector3, N>;
 
-/// The corners of a triangle, those first that it shares with another one.
-struct SortedCorners
+/// Moves those corners to the front that are shared with another triangle; returns how many.
+std::size_t sortShared(Points<3>& corners, const Triangle& other)
 {
-  Points<3> corners;
-  std::size_t shared = 0; ///< so many
-
-  SortedCorners(const Triangle& triangle, const Triangle& other)
-    : corners{ triangle.a, triangle.b, triangle.c }
-  {
-    const auto isShared = [&](const Vector3& corner) {
-      return corner == other.a || corner == other.b || corner == other.c;
-    };
-    shared = static_cast<std::size_t>(
-      std::stable_partition(corners.begin(), corners.end(), isShared) - corners.begin());
-  }
-};
+  const auto isShared = [&](const Vector3& corner) {
+    return corner == other.a || corner == other.b || corner == other.c;
+  };
+  return static_cast<std::size_t>(
+    std::stable_partition(corners.begin(), corners.end(), isShared) - corners.begin());
+}
 
 /// A triangle has three edges, a segment one.
 template <std::size_t N>
@@ -104,16 +97,17 @@ bool mayTouch(const Triangle& first, const Triangle& second, double tolerance)
   {
     return false;
   }
-  const SortedCorners s(first, second), t(second, first);
-  switch (s.shared)
+  Points<3> s{ first.a, first.b, first.c }, t{ second.a, second.b, second.c };
+  sortShared(t, first);
+  switch (sortShared(s, second))
   {
     case 0:
-      return !areParted(s.corners, t.corners, tolerance);
+      return !areParted(s, t, tolerance);
     case 1:
-      return !areParted(Points<2>{ s.corners[1], s.corners[2] }, t.corners, tolerance) ||
-        !areParted(Points<2>{ t.corners[1], t.corners[2] }, s.corners, tolerance);
+      return !areParted(Points<2>{ s[1], s[2] }, t, tolerance) ||
+        !areParted(Points<2>{ t[1], t[2] }, s, tolerance);
     case 2:
-      return areFolded(s.corners, t.corners);
+      return areFolded(s, t);
     default:
       return true;
   }
