@@ -202,7 +202,6 @@ void FrontCast::castPicked(const Scene& scene, std::uint32_t index, const FrontT
     local_.distance[i] = rays.distance[ray];
     local_.hit[i] = rays.hit[ray];
   }
-  clock.ends(Stage::PreTest);
   const TriangleMesh& mesh = scene.meshOf(object);
   search_.run(scene.bodyOf(object).tree(), mesh,
     local_.columns(count, triangles.numbers.first(object), static_cast<std::uint32_t>(mesh.size())),
