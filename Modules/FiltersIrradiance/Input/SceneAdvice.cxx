@@ -247,9 +247,8 @@ private:
     return names.empty()
       ? ""
       : "nothing else is lit by these lamps of " + rounded(watts) + " W: " + names +
-        ". A cell emits from its front, the side from which its points run counter-clockwise; if "
-        "the "
-        "other side was meant, reverse the cells (vtkReverseSense)";
+        ". A cell emits from its front, the side from which its points run counter-clockwise; "
+        "if the other side was meant, reverse the cells (vtkReverseSense)";
   }
 
   std::string coverWarning() const
@@ -259,26 +258,26 @@ private:
     {
       names += (names.empty() ? "" : "; ") + *parts_[scene_.partOf(its.lamp)].name + " (" +
         rounded(its.watts) + " W, about " + std::to_string(std::lround(100 * its.covered)) +
-        " % of what is bound for " + "surfaces, behind lamps of " +
+        " % of what is bound for surfaces, behind lamps of " +
         *parts_[scene_.partOf(its.cover)].name + ")";
     }
     return names.empty() ? ""
                          : "these lamps shine on the backs of lamps: " + names +
         ". A lamp stops light as any surface does: a sun has to stand within its sky, a bulb "
-        "outside "
-        "of a cover that shines itself";
+        "outside of a cover that shines itself";
   }
 
   std::string partLengthWarning() const
   {
     Box all;
     bool hasSurfaces = false;
-    for (std::size_t i = 0; i < scene_.numberOfStatics(); ++i)
+    const std::size_t statics = std::min(scene_.numberOfStatics(), parts_.size());
+    for (std::size_t i = 0; i < statics; ++i)
     {
       all.add(parts_[i].bounds());
       hasSurfaces = hasSurfaces || !parts_[i].dark.isEmpty();
     }
-    for (std::size_t i = scene_.numberOfStatics(); hasSurfaces && i < parts_.size(); ++i)
+    for (std::size_t i = statics; hasSurfaces && i < parts_.size(); ++i)
     {
       const Box part = parts_[i].bounds();
       const double size = sizeOf(part);
