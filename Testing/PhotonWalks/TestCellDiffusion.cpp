@@ -120,28 +120,6 @@ TEST(CellDiffusion, FillsTheWidth)
   }
 }
 
-TEST(CellDiffusion, ConservesEachQuantumAndStaysPositive)
-{
-  const Surface surface(unevenGrid());
-  RandomVectors random(7);
-  for (const int sides : { 1, 2 })
-  {
-    for (const double width : { 0.01, 0.3, 100.0 })
-    {
-      Quanta quanta(surface.areas.size() * static_cast<std::size_t>(sides), 0);
-      for (std::int64_t& q : quanta)
-      {
-        q =
-          random.engine() % 3 == 0 ? static_cast<std::int64_t>(random.engine() % (kMany >> 10)) : 0;
-      }
-      const Quanta after = surface.spread(quanta, width, sides);
-      EXPECT_EQ(total(after), total(quanta));
-      EXPECT_GE(*std::min_element(after.begin(), after.end()), 0);
-      EXPECT_NE(after, quanta);
-    }
-  }
-}
-
 // Rounding makes the irradiance of cells differ by a quantum. All that can flow are such
 // differences.
 TEST(CellDiffusion, LeavesAUniformIrradianceAsItIs)

@@ -242,36 +242,5 @@ TEST(CellSpread, KnowsThePartOfAPhotonThatACellTakes)
   }
 }
 
-// What was not finished does not pass for the weights of the scene.
-TEST(CellSpread, AnInterruptionLeavesNoTrace)
-{
-  ObjectBuilder builder;
-  builder.addSphere({ 0, 0, 0 }, 1, kIsSanitized ? 100 : 200, grey(0.5));
-  const SceneObjects objects{ nothing(), { builder.build() } };
-  const CellSums sums = randomSums(objects, WalkPlan(1000, 1000, 2), 10);
-  const auto expected = valuesOf(spreadOf(objects, sums, 100));
-  int stops = 0;
-  bool isDone = false;
-  for (int stopAt = 0; !isDone; stopAt += 1 + stopAt / 2)
-  {
-    CellSpread spread(1);
-    Execution execution;
-    StoppingExecution stopping(stopAt);
-    try
-    {
-      spread.update(objects, sums, 1, 100, kPhoton, stopping);
-      isDone = true;
-    }
-    catch (const Interrupted&)
-    {
-      ++stops;
-    }
-    spread.update(objects, sums, 1, 100, kPhoton, execution);
-    ASSERT_TRUE(valuesOf(spread.spread(objects, sums, 1, execution)) == expected)
-      << "stopped at call " << stopAt;
-  }
-  EXPECT_GE(stops, 1);
-}
-
 }
 }

@@ -57,26 +57,5 @@ TEST(CellSums, SidesAndBandsStandApart)
   }
 }
 
-TEST(CellSums, ManyThreadsLoseNothing)
-{
-  CellSums sums(quadAndBox(1));
-  ThreadExecution execution(4);
-  execution.parallelFor(2000, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      for (std::int64_t k = 0; k < 50; ++k)
-      {
-        add(sums, { 0, static_cast<std::uint32_t>(i % 8) }, true, { { k + 1, 0, 0 } }, 1);
-        add(sums, { 0, static_cast<std::uint32_t>(k % 8) }, true, { { k, 0, 0 } }, -1);
-        add(sums, { 0, static_cast<std::uint32_t>(k % 8) }, true, { { k, 0, 0 } }, 1);
-      }
-    }
-  });
-  for (std::size_t cell = 0; cell < 4; ++cell)
-  {
-    EXPECT_EQ(sums.sum({ 0, cell }, 0), 500 * 1275);
-  }
-}
-
 }
 }

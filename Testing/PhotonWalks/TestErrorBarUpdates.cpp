@@ -32,6 +32,8 @@ TEST_P(ErrorBarUpdatesInModes, TurningTheDialEqualsAFreshStart)
     EXPECT_TRUE(shownAnswer(engine, objects, settings) == freshShownAnswer(objects, settings))
       << "target " << target;
     walks.push_back(engine.numberOfWalks());
+    EXPECT_NEAR(engine.watts(engine.balance().emitted[0]), 100, 1e-9);
+    expectBalance(engine);
   }
   EXPECT_LT(walks[0], walks[1]);
   EXPECT_LT(walks[1], walks[2]);
@@ -41,24 +43,6 @@ TEST_P(ErrorBarUpdatesInModes, TurningTheDialEqualsAFreshStart)
   settings.targetRelativeError = 0;
   engine.update(objects, settings, execution);
   EXPECT_TRUE(shownAnswer(engine, objects, settings) == freshShownAnswer(objects, settings));
-}
-
-// With any number of rounds, the power is what the lights emit, and balances to the last quantum.
-TEST_P(ErrorBarUpdatesInModes, PowerIsThatOfTheScene)
-{
-  EngineSettings settings = withErrors(1000);
-  settings.gathersDirectLight = GetParam();
-  settings.maximumNumberOfWalks = 50000;
-  IrradianceEngine engine;
-  Execution execution;
-  for (const double target : { 0.5, 0.2, 0.0001, 0.5 })
-  {
-    settings.targetRelativeError = target;
-    engine.update(shadedRoom(0.5), settings, execution);
-    const PowerBalance& balance = engine.balance();
-    EXPECT_NEAR(engine.watts(balance.emitted[0]), 100, 1e-9);
-    EXPECT_EQ(balance.emitted[0], balance.absorbed[0] + balance.escaped[0]);
-  }
 }
 
 // A tenth of the area is the inside of a box that no light can reach.

@@ -80,26 +80,5 @@ TEST(Mirrors, ARoomWithAMirrorEqualsTheDoubledRoom)
   }
 }
 
-// In a closed box of mirrors that reflect r all light is absorbed in the end, after 1 / (1 - r)
-// hits.
-TEST(Mirrors, AClosedBoxOfMirrorsReceivesTheGeometricSeries)
-{
-  ObjectBuilder builder;
-  Look mirror;
-  mirror.specular = { 0.8, 0.8, 0.8 };
-  builder.addBox(box({ 0, 0, 0 }, { 1, 2, 3 }), 1, mirror, true);
-  builder.addPointLight({ 0.3, 0.7, 1.9 }, 5);
-  const SceneObjects objects{ builder.build(), {} };
-  ReplicateMean watts;
-  for (int seed = 1; seed <= 16; ++seed)
-  {
-    EngineSettings settings = Shoot(scaled(16384)).seeded(static_cast<std::uint64_t>(seed));
-    UpdatedEngine engine(objects, settings);
-    EXPECT_TRUE(engine.balance().escaped.isZero());
-    watts.add(wattsOn(engine, 0, 0, 6));
-  }
-  EXPECT_LE(std::abs(watts.t(25)), 3.5); // a false alarm in 0.3 %
-}
-
 }
 }

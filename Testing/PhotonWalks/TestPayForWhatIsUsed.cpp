@@ -6,22 +6,17 @@ namespace irradiance::test
 namespace
 {
 
-EngineStatistics shoot(const SceneObjects& objects, bool verify, bool separateSides)
-{
-  Shoot settings(5000);
-  settings.verify = verify;
-  settings.separateSides = separateSides;
-  UpdatedEngine engine(objects, settings);
-  return engine.statistics();
-}
-
 TEST(PayForWhatIsUsed, NothingThatMovesNoHistory)
 {
   SceneObjects objects = MovingScene(1, true, 61).objects();
-  EXPECT_GT(shoot(objects, true, false).historyBytes, 0u);
-  EXPECT_EQ(shoot(objects, false, false).historyBytes, 0u) << "every frame is shot again";
+  UpdatedEngine engine(objects, Shoot(5000)), still(objects, Shoot(5000).unverified());
+  EXPECT_GT(engine.statistics().historyBytes, 0u);
+  EXPECT_EQ(still.statistics().historyBytes, 0u) << "every frame is shot again";
   objects.dynamicObjects.clear();
-  EXPECT_EQ(shoot(objects, true, false).historyBytes, 0u);
+  EXPECT_EQ(UpdatedEngine(objects, Shoot(5000)).statistics().historyBytes, 0u);
+  Execution execution;
+  engine.update(objects, Shoot(5000), execution);
+  EXPECT_EQ(engine.statistics().historyBytes, 0u) << "nothing moves any more";
 }
 
 // The tree over single moving triangles is for many objects of few triangles.
@@ -44,17 +39,6 @@ TEST(PayForWhatIsUsed, ManySmallObjectsAreFlattened)
   EXPECT_EQ(flattenedOf(objects), 0);
   objects.dynamicObjects.push_back(plate(2));
   EXPECT_EQ(flattenedOf(objects), static_cast<std::ptrdiff_t>(kMany));
-}
-
-TEST(PayForWhatIsUsed, HistoryIsGivenBackWhenNothingMovesAnyMore)
-{
-  SceneObjects objects = MovingScene(1, true, 61).objects();
-  Shoot settings(5000);
-  Execution execution;
-  UpdatedEngine engine(objects, settings, execution);
-  objects.dynamicObjects.clear();
-  engine.update(objects, settings, execution);
-  EXPECT_EQ(engine.statistics().historyBytes, 0u);
 }
 
 // The bytes are not counted again where nothing has moved, but they are known.

@@ -73,31 +73,5 @@ TEST(PhotonCounts, SeveralOfAThreadStandApart)
   EXPECT_EQ(others.sum({ { 0, 7 } }, 0), 3);
 }
 
-TEST(PhotonCounts, ManyThreadsLoseNothing)
-{
-  constexpr std::uint32_t kCells = 100;
-  for (const std::size_t expected : kExpected)
-  {
-    CellSums sums = sumsOf(kCells);
-    ThreadExecution execution(4);
-    execution.parallelFor(2000, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        PhotonCounts counts(sums, 3, expected);
-        std::vector<std::uint32_t> slots(kCells);
-        for (std::uint32_t k = 0; k < kCells; ++k)
-        {
-          slots[k] = (k + static_cast<std::uint32_t>(i)) % kCells;
-        }
-        counts.add(slots.data(), kCells);
-      }
-    });
-    for (std::size_t cell = 0; cell < kCells; ++cell)
-    {
-      EXPECT_EQ(sums.sum({ { 0, cell } }, 0), 6000);
-    }
-  }
-}
-
 }
 }

@@ -14,16 +14,16 @@ namespace
 constexpr std::uint32_t kFrontWalks = 1000; // the last group is not full
 
 /// Triangles at random, thin ones and small ones among them, in two objects, of which one is
-/// placed; each with a reflectance of its own. `scale`: a power of two.
-SceneObjects someTriangles(double scale)
+/// placed; each with a reflectance of its own.
+SceneObjects someTriangles()
 {
   RandomVectors random(5);
   const auto some = [&](double exitance) {
     ObjectBuilder builder;
     for (int i = 0; i < 200; ++i)
     {
-      const double size = scale * random.powerOfTwo(-12, 0), thin = random.powerOfTwo(-20, 0);
-      const Vector3 place = scale * random.inCube(), along = size * random.direction();
+      const double size = random.powerOfTwo(-12, 0), thin = random.powerOfTwo(-20, 0);
+      const Vector3 place = random.inCube(), along = size * random.direction();
       const Vector3 aside = size * thin * random.direction();
       const double reflectance = i % 10 == 0 ? 0 : i % 10 == 1 ? 1 : random.uniform(0, 1);
       builder.addCell({ { place, place + along, place + aside } },
@@ -32,7 +32,7 @@ SceneObjects someTriangles(double scale)
     return builder.build();
   };
   SceneObjects objects{ some(1), { some(0) } };
-  objects.dynamicObjects[0].worldFromObject = { random.rotation(), scale * random.inCube() };
+  objects.dynamicObjects[0].worldFromObject = { random.rotation(), random.inCube() };
   return objects;
 }
 
@@ -120,7 +120,7 @@ std::vector<WalkPlan> somePlans()
 template <class Test>
 void onAll(const Test& test)
 {
-  const SceneObjects objects = someTriangles(1);
+  const SceneObjects objects = someTriangles();
   for (const WalkPlan& plan : somePlans())
   {
     const FrontWorld world(objects, plan, 11);
@@ -195,7 +195,7 @@ TEST(WalkStages, WalksSurviveAsTheirSamplesSay)
 
 TEST(WalkStages, PackingKeepsOrderAndLosesNothing)
 {
-  const FrontWorld world(someTriangles(1), WalkPlan(5000, 5000, 1), 11);
+  const FrontWorld world(someTriangles(), WalkPlan(5000, 5000, 1), 11);
   RandomVectors random(9);
   for (const SimdLevel level : simdLevels())
   {
@@ -269,30 +269,6 @@ TEST(WalkStages, RaysLeaveFromSurfacePoints)
   });
 }
 
-// From less than the size of a proton's to more than the distance to other stars.
-TEST(WalkStages, ScalingByAPowerOfTwoChangesOnlyTheUnit)
-{
-  const WalkPlan plan(5000, 5000, 1);
-  const FrontWorld one(someTriangles(1), plan, 11);
-  WalkFront expected;
-  fill(expected, one, Bounces::Same, 0);
-  one.stages().leave(expected);
-  for (const int power : { -92, -30, 60 })
-  {
-    const double scale = std::ldexp(1.0, power);
-    const FrontWorld scaled(someTriangles(scale), plan, 11);
-    WalkFront front;
-    fill(front, scaled, Bounces::Same, 0);
-    scaled.stages().leave(front);
-    for (std::uint32_t i = 0; i < kFrontWalks; ++i)
-    {
-      ASSERT_EQ(originOf(front, i), scale * originOf(expected, i));
-      ASSERT_EQ(directionOf(front, i), directionOf(expected, i));
-      ASSERT_EQ(front.side[i], expected.side[i]);
-    }
-  }
-}
-
 TEST(WalkStages, SidesAreThoseThatTheRaysComeFrom)
 {
   onAll([](const FrontWorld& world, Bounces bounces) {
@@ -338,7 +314,7 @@ TEST(WalkStages, ReplicatesAreThoseOfTheDivision)
 // Photon by photon, as CellSums itself numbers its sums: rounds, replicates, sides and bands.
 TEST(WalkStages, PhotonsAreTalliedWhereCellSumsKeepsThem)
 {
-  const FrontWorld world(someTriangles(1), WalkPlan(5000, 5000, 1), 11);
+  const FrontWorld world(someTriangles(), WalkPlan(5000, 5000, 1), 11);
   const WalkPlan plans[] = { WalkPlan(1000, 1000, 1), WalkPlan(100, 1000, 1),
     WalkPlan(1000, 1000, 16), WalkPlan(100, 1000, 7) };
   for (const SimdLevel level : simdLevels())
@@ -397,7 +373,7 @@ TEST(WalkStages, RoundedDirectionsStayOutOfTheSurface)
 
 TEST(WalkStages, WalksThatNeverEndAreNamed)
 {
-  const FrontWorld world(someTriangles(1), WalkPlan(5000, 5000, 1), 11);
+  const FrontWorld world(someTriangles(), WalkPlan(5000, 5000, 1), 11);
   WalkFront front, next;
   fill(front, world, Bounces::Same, 0);
   std::fill_n(front.bounce.data(), kFrontWalks, (1u << 20) - 1);
