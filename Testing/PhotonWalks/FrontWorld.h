@@ -85,10 +85,17 @@ public:
   /// Who watches the walks sees each front before its rays are cast and after.
   using Watch = std::function<void(const WalkFront&)>;
 
-  /// Takes these walks from their lights to their ends, so many at a time.
-  void shoot(std::uint32_t first, std::uint32_t end, std::uint32_t together, FrontTally& tally,
-    const Watch& leaving = {}, const Watch& arriving = {}) const
+  /// `expected`: photons.
+  FrontTally tallyFor(CellSums& sums, PowerBalance& balance, std::size_t expected) const
   {
+    return FrontTally(triangles_, sums, balance, sampler_.powerPerWalk(), expected);
+  }
+
+  /// Takes all walks of the plan from their lights to their ends, so many at a time.
+  void shoot(std::uint32_t together, FrontTally& tally, const Watch& leaving = {},
+    const Watch& arriving = {}) const
+  {
+    const std::uint32_t first = plan_.rounds().front().firstWalk, end = plan_.endWalk();
     struct
     {
       WalkFront now, next;
@@ -128,27 +135,6 @@ private:
   WalkSampler sampler_;
   WalkStages stages_;
   Scene scene_;
-};
-
-/// All walks of a world's plan, shot by its stages.
-class FrontRun
-{
-public:
-  FrontRun(const FrontWorld& world, std::uint32_t together)
-    : sums_(world.objects(), world.plan(), world.plan().rounds().size())
-  {
-    const std::uint32_t first = world.plan().rounds().front().firstWalk;
-    FrontTally tally(world.triangles(), sums_, balance_, world.sampler().powerPerWalk(),
-      std::size_t{ 4 } * world.plan().most());
-    world.shoot(first, world.plan().endWalk(), together, tally);
-  }
-
-  const CellSums& sums() const { return sums_; }
-  const PowerBalance& balance() const { return balance_; }
-
-private:
-  CellSums sums_;
-  PowerBalance balance_;
 };
 
 }

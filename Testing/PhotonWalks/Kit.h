@@ -4,15 +4,11 @@
 
 // What most tests need: scenes, engines, executions, and what an engine answers.
 
-#include "BothModes.h"
 #include "DirectRuns.h"
 #include "EngineRun.h"
-#include "IntervalCount.h"
+#include "HistoryPhotons.h"
 #include "MovingScene.h"
-#include "OnlySet.h"
 #include "Scenes.h"
-#include "ShownAnswer.h"
-#include "StaleLight.h"
 #include "TestScenes.h"
 #include "ThreadExecution.h"
 #include "ThreadRanks.h"

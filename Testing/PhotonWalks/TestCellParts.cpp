@@ -26,9 +26,8 @@ SceneObjects objectsOf(std::size_t dynamic, std::size_t cells)
 
 SceneObjects roomWithBoxes(int count)
 {
-  ObjectBuilder room, part;
-  room.addBox(box({ 0, 0, 0 }, { 4, 3, 3 }), 4, grey(0.5), true);
-  room.addQuad({ 1.5, 1, 2.9 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(0, 10));
+  ObjectBuilder room = plainRoom({ 4, 3, 3 }, 4, grey(0.5)), part;
+  addPanel(room, { 1.5, 1, 2.9 }, 1, 1, 10);
   part.addBox(box({ -0.1, -0.1, 0 }, { 0.1, 0.1, 0.4 }), 2, grey(0.6));
   SceneObjects objects{ room.build(), {} };
   for (int i = 0; i < count; ++i)
@@ -68,8 +67,7 @@ TEST(CellParts, GatherAnewWhenTheyMoveAlone)
 {
   SceneObjects objects = roomWithBoxes(4);
   EngineSettings settings = Shoot(4000).gathered();
-  Execution serial;
-  UpdatedEngine engine(objects, settings, serial);
+  UpdatedEngine engine(objects, settings);
   const auto gatheredOf = [&] {
     std::vector<const DirectGather*> all;
     for (const WalkSet& set : engine.walks().sets())
@@ -86,13 +84,13 @@ TEST(CellParts, GatherAnewWhenTheyMoveAlone)
     { Vector3(1.45, 1.5, 1), Vector3(1.5, 1.5, 0.9), Vector3(3.5, 2.5, 0.5), Vector3(1, 1.5, 0.5) })
   {
     objects.dynamicObjects[1].worldFromObject = shift(to);
-    engine.update(objects, settings, serial);
+    engine.update(objects, settings);
     const std::vector<const DirectGather*> now = gatheredOf();
     for (const std::size_t set : { 0, 1, 3, 4 })
     {
       EXPECT_EQ(now[set], before[set]) << "set " << set;
     }
-    EXPECT_TRUE(shownAnswer(engine, objects, settings) == freshShownAnswer(objects, settings));
+    EXPECT_TRUE(isShownAsFresh(engine));
     hidden += engine.statistics().invalidWalks > 0 ? 1 : 0;
   }
   EXPECT_GT(hidden, 0u);

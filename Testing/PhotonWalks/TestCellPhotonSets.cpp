@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "HistoryPhotons.h"
 #include "Kit.h"
 #include "Rivals/CellPhotonSets.h"
 
@@ -145,7 +144,6 @@ TEST(CellPhotonSets, OnlySpecularCellsArePaidFor)
     specular += objects[cell.object].material->isSpecular(cell.cell) ? 1 : 0;
     photons += sets.size(cell);
   });
-  const double perPhoton = double(sets.bytes()) / double(photons);
   EXPECT_LE(sets.bytes(), 16 * photons + 64 * specular + 4 * cells + 1000);
 }
 

@@ -154,7 +154,6 @@ TEST_P(Cie171, DiffuseReflectionWithObstruction57)
 TEST_P(Cie171, InternalReflectedComponent58)
 {
   constexpr int kCells = 15;
-  constexpr double kCellArea = 16.0 / (kCells * kCells);
   const auto room = [&](double reflectance) {
     ObjectBuilder builder;
     builder.addBox(box({ -2, -2, -2 }, { 2, 2, 2 }), kCells, grey(reflectance), true);

@@ -192,7 +192,6 @@ void forEachCell(const IrradianceEngine& engine, const KnownScene& scene, const 
 struct Held
 {
   double cells = 0, known = 0, held = 0, knownArea = 0, heldArea = 0;
-  double above = 0; ///< intervals that lie above the truth
 };
 
 Held countHeld(const KnownScene& scene, bool isGathered)
@@ -212,7 +211,6 @@ Held countHeld(const KnownScene& scene, bool isGathered)
         const bool holds = std::abs(estimate - truth) <= factor * error + 1e-6 * truth;
         all.known += 1;
         all.held += holds ? 1 : 0;
-        all.above += !holds && estimate > truth ? 1 : 0;
         all.knownArea += area;
         all.heldArea += holds ? area : 0;
       }
@@ -233,12 +231,6 @@ TEST_P(Coverage, IntervalsHoldTheTruth)
   for (const bool isGathered : { false, true })
   {
     const Held held = countHeld(scene, isGathered);
-    std::printf(
-      "%s, %s: %.2f %% of %.0f intervals hold the truth, %.2f %% by area; %.2f %% are above it, "
-      "%.2f %% below; known in %.1f %% of the lit cells\n",
-      GetParam().name, isGathered ? "gathered" : "shot", 100 * held.held / held.known, held.known,
-      100 * held.heldArea / held.knownArea, 100 * held.above / held.known,
-      100 * (held.known - held.held - held.above) / held.known, 100 * held.known / held.cells);
     if (!kIsSanitized) // with sanitizers there are too few walks to know much
     {
       EXPECT_GE(held.known, 0.9 * held.cells);

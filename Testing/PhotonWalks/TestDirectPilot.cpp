@@ -32,7 +32,6 @@ std::optional<double> walksPerSample(const ObjectBuilder& room, double returned 
   const LampPieces lamps(LightTable(objects, 1000));
   const DirectPilot pilot(objects, lamps);
   const auto [walks, cost] = pilot.best({ 1, returned, std::max(0.0625, returned) });
-  std::printf("variance %.4f, %.1f walks for a sample, cost %.2f\n", pilot.variance(), walks, cost);
   return cost < 1 ? std::optional<double>(walks) : std::nullopt;
 }
 

@@ -6,31 +6,23 @@ namespace irradiance::test
 namespace
 {
 
-EngineSettings withErrors(std::uint32_t walks)
-{
-  return Shoot(scaled(walks)).errors(16);
-}
-
-class ErrorBarUpdatesInModes : public testing::TestWithParam<bool>
+class ErrorBarUpdates : public BothModes
 {
 };
 
 // A new target continues from the existing walks, and the old target returns to them.
-TEST_P(ErrorBarUpdatesInModes, TurningTheDialEqualsAFreshStart)
+TEST_P(ErrorBarUpdates, TurningTheDialEqualsAFreshStart)
 {
   const SceneObjects objects = shadedRoom(1);
-  EngineSettings settings = withErrors(1000);
-  settings.gathersDirectLight = GetParam();
+  EngineSettings settings = Shoot(scaled(1000)).errors(16).gathered(isGathered());
   settings.maximumNumberOfWalks = 64000;
-  IrradianceEngine engine;
-  Execution execution;
+  UpdatedEngine engine;
   std::vector<std::uint32_t> walks;
   for (const double target : { 0.5, 0.2, 0.1, 0.3, 0.0001, 0.5 })
   {
     settings.targetRelativeError = target;
-    engine.update(objects, settings, execution);
-    EXPECT_TRUE(shownAnswer(engine, objects, settings) == freshShownAnswer(objects, settings))
-      << "target " << target;
+    engine.update(objects, settings);
+    EXPECT_TRUE(isShownAsFresh(engine)) << "target " << target;
     walks.push_back(engine.numberOfWalks());
     EXPECT_NEAR(engine.watts(engine.balance().emitted[0]), 100, 1e-9);
     expectBalance(engine);
@@ -41,29 +33,26 @@ TEST_P(ErrorBarUpdatesInModes, TurningTheDialEqualsAFreshStart)
   EXPECT_EQ(walks[4], settings.maximumNumberOfWalks) << "cannot be reached";
   EXPECT_EQ(walks[5], walks[0]);
   settings.targetRelativeError = 0;
-  engine.update(objects, settings, execution);
-  EXPECT_TRUE(shownAnswer(engine, objects, settings) == freshShownAnswer(objects, settings));
+  engine.update(objects, settings);
+  EXPECT_TRUE(isShownAsFresh(engine));
 }
 
 // A tenth of the area is the inside of a box that no light can reach.
-TEST_P(ErrorBarUpdatesInModes, DarkCellsDoNotMakeTheDialRunForever)
+TEST_P(ErrorBarUpdates, DarkCellsDoNotMakeTheDialRunForever)
 {
   ObjectBuilder room;
   room.addBox(box({ -2, -2, -2 }, { 2, 2, 2 }), 2, grey(0.3), true);
   room.addBox(box({ -1.5, -1, -1 }, { -0.3, 1, 1 }), 1, grey(0.5));
   room.addBox(box({ -1.4, -0.9, -0.9 }, { -0.4, 0.9, 0.9 }), 2, grey(0.5), true);
   room.addPointLight({ 1, 0, 0 }, 100);
-  Shoot settings(1000);
-  settings.maximumNumberOfWalks = 4000000;
-  settings.replicates = 16;
-  settings.gathersDirectLight = GetParam();
-  settings.targetRelativeError = kIsSanitized ? 0.5 : 0.2;
+  const EngineSettings settings =
+    Shoot(1000).errors(16).gathered(isGathered()).target(kIsSanitized ? 0.5 : 0.2, 4000000);
   UpdatedEngine engine({ room.build(), {} }, settings);
   EXPECT_LE(engine.reachedRelativeError(), settings.targetRelativeError);
   EXPECT_LT(engine.numberOfWalks(), settings.maximumNumberOfWalks);
 }
 
-INSTANTIATE_TEST_SUITE_P(ShotAndGathered, ErrorBarUpdatesInModes, testing::Bool());
+INSTANTIATE_TEST_SUITE_P(ShotAndGathered, ErrorBarUpdates, testing::Bool(), nameOfMode);
 
 // Law 7: one number for each cell, side and band; with error bars, one for each replicate.
 TEST(PayForWhatIsUsed, NoErrorBarsNoReplicateSums)
@@ -77,13 +66,12 @@ TEST(PayForWhatIsUsed, NoErrorBarsNoReplicateSums)
   for (const std::uint32_t replicates : { 1u, 16u })
   {
     EngineSettings settings = Shoot(5000).errors(replicates);
-    Execution execution;
-    UpdatedEngine engine(objects, settings, execution);
+    UpdatedEngine engine(objects, settings);
     EXPECT_EQ(engine.sums().bytes(), 2 * cells * 3 * 8 * replicates) << "two sides";
     EXPECT_EQ(engine.sums().rounds(), 1u);
     const std::size_t history = engine.statistics().historyBytes;
     settings.replicates = 1;
-    engine.update(objects, settings, execution);
+    engine.update(objects, settings);
     EXPECT_NEAR(double(history), double(engine.statistics().historyBytes), 0.03 * double(history))
       << "stored walks do not carry their replicate";
   }

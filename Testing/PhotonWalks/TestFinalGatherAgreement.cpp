@@ -66,7 +66,6 @@ TEST(FinalGatherAgreement, IsThatOfPathsThatReadNothing)
     const double off = gathered.mean() / unbiased.mean() - 1;
     const double noise =
       std::hypot(gathered.standardError(), unbiased.standardError()) / unbiased.mean();
-    std::printf("%-10s off by %+.2f +- %.2f %%\n", scene.name, 100 * off, 100 * noise);
     EXPECT_LT(std::abs(off), kMostBias + 9 * noise) << scene.name;
     EXPECT_LT(noise, 0.1) << "else a test of nothing";
     if (scene.truth > 0)
@@ -150,8 +149,6 @@ TEST(FinalGatherAgreement, IntervalsHoldTheTruth)
   }
   for (const auto& [rays, of] : held)
   {
-    std::printf("%u rays: %.0f of %.0f intervals known, %.1f %% hold the truth\n", rays, of.known,
-      of.all, 100 * of.right / of.known);
     // The two scenes of sanitized runs have many cells in corners, where little arrives.
     EXPECT_GT(of.known, (kIsSanitized ? 0.6 : 0.8) * of.all);
     EXPECT_GT(of.right / of.known, 0.93);

@@ -16,10 +16,8 @@ WalkFront shotRows(const FrontWorld& world)
   WalkFront rows;
   CellSums sums(world.objects(), world.plan());
   PowerBalance balance;
-  FrontTally tally(
-    world.triangles(), sums, balance, world.sampler().powerPerWalk(), world.plan().most());
-  world.shoot(world.plan().rounds().front().firstWalk, world.plan().endWalk(), 1000, tally,
-    [&](const WalkFront& front) { rows.take(front, 0, front.size); });
+  FrontTally tally = world.tallyFor(sums, balance, world.plan().most());
+  world.shoot(1000, tally, [&](const WalkFront& front) { rows.take(front, 0, front.size); });
   return rows;
 }
 

@@ -14,15 +14,14 @@ struct Followed
 {
   SceneObjects objects;
   EngineSettings settings;
-  IrradianceEngine engine = {};
+  UpdatedEngine engine = {};
 
   AffineMap& pose(std::size_t object) { return objects.dynamicObjects[object].worldFromObject; }
   /// Returns how many paths were followed.
   std::int64_t update()
   {
-    Execution serial;
-    engine.update(objects, settings, serial);
-    EXPECT_TRUE(shownAnswer(engine, objects, settings) == freshShownAnswer(objects, settings));
+    engine.update(objects, settings);
+    EXPECT_TRUE(isShownAsFresh(engine));
     return engine.statistics().followedPaths;
   }
   /// Of all frames in which the coarse part is there, on the average.

@@ -124,7 +124,6 @@ TEST(LampTree, ACellFindsTheLampsThatAreNear)
     const LampPiece& lamp = lamps[choice.choose((i + 0.5) / kSamples).piece];
     near += (lamp.center - Vector3(0.55, 0.55, 3)).norm() < 0.2 ? 1 : 0;
   }
-  std::printf("%d of %d samples\n", near, kSamples);
   EXPECT_GT(near, 0.5 * kSamples);
 }
 

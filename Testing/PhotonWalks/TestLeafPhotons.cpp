@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "HistoryPhotons.h"
 #include "Kit.h"
 #include "Photons/LeafPhotons.h"
 

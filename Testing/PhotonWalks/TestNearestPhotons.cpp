@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CountedSurface.h"
-#include "HistoryPhotons.h"
 #include "Kit.h"
 #include "Photons/NearestPhotons.h"
 #include "ShotWalk.h"

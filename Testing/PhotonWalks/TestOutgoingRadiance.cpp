@@ -286,10 +286,7 @@ TEST(OutgoingRadiance, ErrorBarsHoldTheTruth)
     settings.replicates = 16;
     for (const auto& light : seen(objects, settings, cells, kInFurnace, 32))
     {
-      if (!std::isnan(light.standardError[0]))
-      {
-        ASSERT_NO_FATAL_FAILURE(intervals.add(light.value[0] - 1 / M_PI, light.standardError[0]));
-      }
+      intervals.add(light.value[0] - 1 / M_PI, light.standardError[0]);
     }
   }
   intervals.expectHonest();

@@ -65,7 +65,6 @@ void expectMean(const char* name, double truth, const Irradiance& irradiance)
   {
     mean.add(irradiance(static_cast<std::uint64_t>(number)));
   }
-  mean.print(name, truth);
   EXPECT_TRUE(std::abs(mean.t(truth)) <= 3.5 || std::abs(mean.mean() / truth - 1) < 1e-7) << name;
   if (!test::kIsSanitized)
   {

@@ -166,8 +166,6 @@ TEST(PowerClasses, KeepAWeakLampBesideAStrongOne)
         engine.update(hutAndSun(sun), settings, execution);
         received.add(test::wattsOn(engine, 0, 0, 216));
       }
-      std::printf(
-        "%s, sun of %g W: %.3f W\n", isGathered ? "gathered" : "shot", sun, received.mean());
       EXPECT_NEAR(received.mean(), 20, sun < 1e8 ? 0.15 : 0.6) << isGathered << ", " << sun;
     }
   }

@@ -10,10 +10,7 @@ namespace
 
 EngineSettings spreading(std::uint32_t walks, double photons)
 {
-  Shoot settings(scaled(walks));
-  settings.cellEstimate = CellEstimate::Spread;
-  settings.spreadPhotons = photons;
-  return settings;
+  return Shoot(scaled(walks)).spread(photons);
 }
 
 /// W/m2 of all cells and sides, with the standard errors.
@@ -30,35 +27,20 @@ std::vector<double> allValues(const IrradianceEngine& engine)
   return all;
 }
 
-/// The power of an object, W.
-double wattsOf(const IrradianceEngine& engine, std::uint32_t object)
-{
-  double watts = 0;
-  for (std::size_t cell = 0; cell < engine.cells().numbers().sizeOf(object); ++cell)
-  {
-    watts += engine.irradiance({ object, cell }, 0) * engine.cells().area({ object, cell });
-  }
-  return watts;
-}
-
 // In a black scene all light is gathered: nothing is blurred, and the error bars are those of the
 // sums.
 TEST(CellSpread, LeavesGatheredLightWhereItIs)
 {
-  ObjectBuilder room, ball;
-  room.addBox(box({ 0, 0, 0 }, { 3, 3, 3 }), 8, grey(0), true);
+  ObjectBuilder room = plainRoom({ 3, 3, 3 }, 8, grey(0));
   room.addPointLight({ 1, 2, 2.8 }, 20);
-  ball.addSphere({ 0, 0, 0 }, 0.5, 6, grey(0));
-  const SceneObjects objects{ room.build(), { ball.build(shift({ 1.5, 1.5, 1 })) } };
+  const SceneObjects objects{ room.build(), { ball({ 1.5, 1.5, 1 }, 0.5, 6, grey(0)) } };
   EngineSettings settings = spreading(100000, 1000);
   settings.gathersDirectLight = true;
   settings.separateSides = true;
   settings.replicates = 4;
-  IrradianceEngine spread, plain;
-  Execution execution;
-  spread.update(objects, settings, execution);
+  const UpdatedEngine spread(objects, settings);
   settings.cellEstimate = CellEstimate::Sums;
-  plain.update(objects, settings, execution);
+  const UpdatedEngine plain(objects, settings);
   const std::vector<double> expected = allValues(plain);
   EXPECT_GT(*std::max_element(expected.begin(), expected.end()), 1);
   const std::vector<double> values = allValues(spread);
@@ -81,7 +63,7 @@ TEST(CellSpread, ConservesThePowerOfGatheredAndShotLight)
   {
     const std::size_t cells = engine.cells().numbers().sizeOf(object);
     const double sum = wattsOn(engine, object, 0, cells);
-    EXPECT_NEAR(wattsOf(engine, object), sum, 1e-9 * sum) << "object " << object;
+    EXPECT_NEAR(estimatedWattsOn(engine, object, 0), sum, 1e-9 * sum) << "object " << object;
     for (std::size_t cell = 0; cell < cells; ++cell, ++all)
     {
       const double own = engine.watts(engine.sums().sum({ { object, cell } }, 0));
@@ -115,11 +97,7 @@ TEST(CellSpread, SpreadsWhatIsStaleAlike)
       double watts = 0, stale = 0;
       for (std::size_t cell = 0; cell < areas.size(); ++cell)
       {
-        const double all = engine.irradiance({ object, cell }, 0),
-                     part = engine.staleIrradiance({ object, cell }, 0);
-        EXPECT_GE(part, 0);
-        EXPECT_LE(part, all);
-        watts += part * areas[cell];
+        watts += engine.staleIrradiance({ object, cell }, 0) * areas[cell];
         stale += engine.watts(onlySet(engine).stale()->sums().sum({ object, cell }, 0));
       }
       EXPECT_NEAR(watts, stale, 1e-8 * stale);
@@ -127,25 +105,21 @@ TEST(CellSpread, SpreadsWhatIsStaleAlike)
     engine.update(scene.objects(), settings, clock);
   }
   EXPECT_GE(waits, 2);
-  EXPECT_TRUE(
-    shownAnswer(engine, scene.objects(), settings) == freshShownAnswer(scene.objects(), settings));
+  EXPECT_TRUE(isShownAsFresh(engine));
 }
 
 // Walls that receive enough keep their bits, error bars included; only the fine object changes.
 TEST(CellSpread, LeavesLargeCellsAlone)
 {
-  ObjectBuilder room, thing;
-  room.addBox(box({ 0, 0, 0 }, { 4, 4, 4 }), 3, grey(0.5), true);
+  ObjectBuilder room = plainRoom({ 4, 4, 4 }, 3, grey(0.5)), thing;
   room.addPointLight({ 1, 1, 3 }, 10);
   thing.addSphere({ 2.5, 2.5, 1.5 }, 0.6, 16, grey(0.5));
   const SceneObjects objects{ room.build(), { thing.build() } };
   EngineSettings settings = spreading(50000, 100);
   settings.replicates = 4;
-  IrradianceEngine sums, spread;
-  Execution execution;
-  spread.update(objects, settings, execution);
+  const UpdatedEngine spread(objects, settings);
   settings.cellEstimate = CellEstimate::Sums;
-  sums.update(objects, settings, execution);
+  const UpdatedEngine sums(objects, settings);
   for (std::size_t cell = 0; cell < objects.staticObject.material->numberOfCells; ++cell)
   {
     EXPECT_EQ(spread.irradiance({ 0, cell }, 0), sums.irradiance({ 0, cell }, 0));
@@ -174,15 +148,14 @@ TEST(CellSpread, ShootsNothingAnew)
     objects.dynamicObjects.resize(isStatic ? 0 : objects.dynamicObjects.size());
     EngineSettings settings = spreading(5000, 100);
     settings.replicates = 4;
-    Execution execution;
-    UpdatedEngine engine(objects, settings, execution);
+    UpdatedEngine engine(objects, settings);
     for (const double photons : { 0.0, 100.0, 37.0, 0.0 })
     {
       settings.cellEstimate = photons == 0 ? CellEstimate::Sums : CellEstimate::Spread;
       settings.spreadPhotons = std::max(1.0, photons);
-      engine.update(objects, settings, execution);
+      engine.update(objects, settings);
       EXPECT_EQ(engine.statistics().shootSeconds, 0);
-      EXPECT_TRUE(shownAnswer(engine, objects, settings) == freshShownAnswer(objects, settings));
+      EXPECT_TRUE(isShownAsFresh(engine));
     }
   }
 }
@@ -200,29 +173,23 @@ TEST(CellSpread, IntervalsHoldTheTruth)
   const std::vector<double> areas = cellAreas(objects.dynamicObjects[0]);
   EngineSettings settings = spreading(40000, 150);
   settings.replicates = 16;
-  settings.verify = false;
-  const double factor = ErrorEstimate::confidenceFactor(settings.replicates);
-  double cells = 0, known = 0, held = 0, squares = 0;
-  for (int seed = 1; seed <= 20; ++seed)
-  {
-    settings.seed = static_cast<std::uint64_t>(seed);
-    UpdatedEngine engine(objects, settings);
+  IntervalCount intervals(settings.replicates);
+  double squares = 0;
+  overSeeds(objects, 20, settings, [&](const IrradianceEngine& engine) {
     const ErrorEstimate errors = engine.errorEstimate();
     for (std::size_t cell = 0; cell < areas.size(); ++cell)
     {
       const double off = engine.irradiance({ 1, cell }, 0) - 1,
                    error = engine.watts(errors.standardError({ 1, cell }, 0)) / areas[cell];
-      cells += 1;
-      squares += off * off;
-      known += std::isnan(error) ? 0 : 1;
-      held += std::abs(off) <= factor * error ? 1 : 0;
+      squares += off * off / double(areas.size()) / 20;
+      intervals.add(off, error);
     }
-  }
+  });
   if (!kIsSanitized)
   {
-    EXPECT_GE(known, 0.99 * cells);
-    EXPECT_NEAR(held / known, 0.95, 0.04);
-    EXPECT_NEAR(std::sqrt(squares / cells * 150), 1, 0.25) << "the noise of as many photons";
+    EXPECT_GE(intervals.shareKnown(), 0.99);
+    EXPECT_NEAR(intervals.shareThatHolds(), 0.95, 0.04);
+    EXPECT_NEAR(std::sqrt(squares * 150), 1, 0.25) << "the noise of as many photons";
   }
 }
 

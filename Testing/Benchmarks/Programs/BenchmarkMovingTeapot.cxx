@@ -8,7 +8,7 @@
  *
  * Arguments: [walks = 1000000] [rounds = 5] [frames = 59] [head.off]
  */
-#include "../../PhotonWalks/ShownAnswer.h"
+#include "../../PhotonWalks/EngineRun.h"
 #include "Measuring/EngineTiming.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
@@ -89,7 +89,7 @@ void timeSpread(const MovingScene& scene, EngineSettings settings, int frames)
     IrradianceEngine fresh;
     const double shooting = timeUpdate(fresh, objects, settings).whole;
     const double update = timeUpdate(engine, objects, settings).whole;
-    if (test::shownAnswer(engine, objects, settings) != test::shownAnswer(fresh, objects, settings))
+    if (test::shownAnswer(engine) != test::shownAnswer(fresh))
     {
       throw std::runtime_error("Spread: the answers differ");
     }

@@ -13,7 +13,6 @@
  */
 #include "../../PhotonWalks/CountedSurface.h"
 #include "../../PhotonWalks/HistoryPhotons.h"
-#include "../../PhotonWalks/OnlySet.h"
 #include "Measuring/EngineTiming.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"

@@ -11,7 +11,6 @@
  * Arguments: [walks = 1000000] [rounds = 5]
  */
 #include "../../PhotonWalks/HistoryPhotons.h"
-#include "../../PhotonWalks/OnlySet.h"
 #include "Measuring/EngineTiming.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../../PhotonWalks/CountedSurface.h"
 #include "../../PhotonWalks/HistoryPhotons.h"
-#include "../../PhotonWalks/OnlySet.h"
 #include "Photons/NearestPhotons.h"
 #include "Rivals/PhotonLocator.h"
 
