@@ -78,16 +78,6 @@ inline double estimatedWattsOn(const IrradianceEngine& engine, std::uint32_t obj
   return watts;
 }
 
-inline double areaOf(const IrradianceEngine& engine, std::uint32_t object)
-{
-  double area = 0;
-  for (std::size_t cell = 0; cell < engine.cells().numbers().sizeOf(object); ++cell)
-  {
-    area += engine.cells().area({ object, cell });
-  }
-  return area;
-}
-
 /// Every cell emits what it does not reflect, 1 - reflectance, so E = 1 everywhere. With a mirror
 /// in part if `isGlossy`.
 inline SceneObject furnace(
@@ -107,6 +97,26 @@ inline SceneObject furnace(
     object.material = std::make_shared<Material>(glossy);
   }
   return object;
+}
+
+/// Cells of two engines agree to 5.5 standard errors of both; returns how many have an error bar.
+inline int expectAgreement(const IrradianceEngine& a, const IrradianceEngine& b)
+{
+  const ErrorEstimate ofA = a.errorEstimate(), ofB = b.errorEstimate();
+  int compared = 0;
+  a.cells().numbers().forEach([&](const SceneCell& cell) {
+    const CellSide side{ cell };
+    const double bar =
+      std::hypot(a.watts(ofA.standardError(side, 0)), b.watts(ofB.standardError(side, 0))) /
+      a.cells().area(cell);
+    if (a.cells().area(cell) > 0 && !std::isnan(bar))
+    {
+      EXPECT_NEAR(b.irradiance(side, 0), a.irradiance(side, 0), 5.5 * bar)
+        << "cell " << cell.cell << " of object " << cell.object;
+      ++compared;
+    }
+  });
+  return compared;
 }
 
 /// From so many seeds.

@@ -61,15 +61,6 @@ struct Shoot : EngineSettings
   Shoot& keptByAll() { return allOnEachRank = listRepaired = true, kept(); }
 };
 
-/// Of an engine whose photons can be collected.
-inline EngineSettings keepingPhotons(std::uint32_t walks)
-{
-  EngineSettings settings;
-  settings.numberOfWalks = walks;
-  settings.keepPhotons = true;
-  return settings;
-}
-
 /// Numbers to the bit.
 using Answer = std::vector<std::int64_t>;
 

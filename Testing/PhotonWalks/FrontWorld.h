@@ -5,6 +5,7 @@
 #include "EngineRun.h"
 #include "Scene/Scene.h"
 #include "Shooting/WalkStages.h"
+#include "Shooting/WalkTracer.h"
 
 #include <algorithm>
 #include <functional>
@@ -26,6 +27,7 @@ public:
     , triangles_(objects_)
     , sampler_(objects_, lights_, samples_)
     , stages_(sampler_, triangles_, lights_, samples_)
+    , tracer_(scene_, objects_, triangles_, lights_, samples_)
   {
     scene_.setStatic(objects_.staticObject.body);
     scene_.setDynamic(objects_.dynamicBodies());
@@ -43,6 +45,7 @@ public:
   const WalkSampler& sampler() const { return sampler_; }
   const WalkStages& stages() const { return stages_; }
   const Scene& scene() const { return scene_; }
+  const WalkTracer& tracer() const { return tracer_; }
 
   /// Makes room for these walks and numbers them.
   void enter(WalkFront& front, std::uint32_t first, std::uint32_t count) const
@@ -135,6 +138,7 @@ private:
   WalkSampler sampler_;
   WalkStages stages_;
   Scene scene_;
+  WalkTracer tracer_;
 };
 
 }

@@ -3,34 +3,24 @@
 // for.
 
 #include "DirectLight/DimLights.h"
-#include "DirectRuns.h"
+#include "Kit.h"
 #include "Surfaces/MeanReflectance.h"
 
-#include <gtest/gtest.h>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
-using test::box;
-using test::gatheredOf;
-using test::grey;
-using test::ObjectBuilder;
-
-/// Walls of 4 x 4 x 3 m, which are 80 m2, half of which reflects.
-ObjectBuilder walls(double exitance, int n = 6)
+/// Walls of 4 x 4 x 3 m, which are 80 m2, half of which reflects. With a panel of 1 m2 below the
+/// ceiling, if that shines.
+ObjectBuilder ovenWith(double exitance, double panel = 0)
 {
-  ObjectBuilder room;
-  room.addBox(box({ 0, 0, 0 }, { 4, 4, 3 }), n, grey(0.5, exitance), true);
+  ObjectBuilder room = plainRoom({ 4, 4, 3 }, 6, grey(0.5, exitance));
+  if (panel > 0)
+  {
+    addPanel(room, { 1.5, 1.5, 2.9 }, 1, 1, panel);
+  }
   return room;
-}
-
-/// 1 m2 below the ceiling.
-void addPanel(ObjectBuilder& room, double exitance)
-{
-  room.addQuad({ 1.5, 1.5, 2.9 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(0, exitance));
 }
 
 /// The flux of those that are dim, and of all others, W.
@@ -53,15 +43,11 @@ void expectParts(const SceneObjects& objects, double dim, double bright)
   EXPECT_NEAR(ofBright, bright, 1e-9 * (dim + bright));
 }
 
-}
-
 // The mean radiosity of the closed room is its flux over the 40 m2 that absorb.
 TEST(DimLights, AreNoBrighterThanTheScene)
 {
-  expectParts({ walls(10).build(), {} }, 800, 0);
-  ObjectBuilder lit = walls(0);
-  addPanel(lit, 100);
-  expectParts({ lit.build(), {} }, 0, 100);
+  expectParts({ ovenWith(10).build(), {} }, 800, 0);
+  expectParts({ ovenWith(0, 100).build(), {} }, 0, 100);
   // 2.5 times the radiosity.
   ObjectBuilder ceiling;
   for (int side = 0; side < 6; ++side)
@@ -70,9 +56,7 @@ TEST(DimLights, AreNoBrighterThanTheScene)
   }
   expectParts({ ceiling.build(), {} }, 0, 160);
   // Warm walls beside a lamp.
-  ObjectBuilder oven = walls(10);
-  addPanel(oven, 500);
-  expectParts({ oven.build(), {} }, 800, 500);
+  expectParts({ ovenWith(10, 500).build(), {} }, 800, 500);
 }
 
 // Radiosity is little where light escapes: a floor that shines into the sky is no dim light, nor is
@@ -82,7 +66,7 @@ TEST(DimLights, AreNotWhereLightEscapes)
   ObjectBuilder floor;
   floor.addQuad({ 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, 4, 4, grey(0.9, 10));
   expectParts({ floor.build(), {} }, 0, 160);
-  ObjectBuilder room = walls(10);
+  ObjectBuilder room = ovenWith(10);
   room.addPointLight({ 1, 1, 1 }, 1e-3);
   expectParts({ room.build(), {} }, 800, 1e-3);
 }
@@ -93,16 +77,14 @@ TEST(DimLights, DependOnTheStaticObjectAndTheLights)
   ObjectBuilder ball, sheet;
   ball.addSphere({ 2, 2, 1 }, 0.5, 4, grey(0.5, 10));
   sheet.addQuad({ 0, 0, 2 }, { 4, 0, 0 }, { 0, 4, 0 }, 1, 1, grey(0.5));
-  const double ofBall = LightTable({ test::nothing(), { ball.build() } }, 1000).flux();
-  expectParts({ walls(10).build(), { ball.build() } }, 800 + ofBall, 0);
-  expectParts({ walls(10).build(), { ball.build(), sheet.build() } }, 800 + ofBall, 0);
+  const double ofBall = LightTable({ nothing(), { ball.build() } }, 1000).flux();
+  expectParts({ ovenWith(10).build(), { ball.build() } }, 800 + ofBall, 0);
+  expectParts({ ovenWith(10).build(), { ball.build(), sheet.build() } }, 800 + ofBall, 0);
 }
 
 TEST(DimLights, HaveASourceOfTheirOwn)
 {
-  ObjectBuilder room = walls(10);
-  addPanel(room, 500);
-  const SceneObjects objects{ room.build(), {} };
+  const SceneObjects objects{ ovenWith(10, 500).build(), {} };
   const WalkPlan plan(10000, 10000, 16);
   const std::vector<WalkSource> sources = gatheredOf(objects, plan);
   ASSERT_EQ(sources.size(), 2u);
@@ -117,7 +99,7 @@ TEST(DimLights, HaveASourceOfTheirOwn)
 // Alone they are shot with as many walks as if nothing were gathered.
 TEST(DimLights, AreShotAlone)
 {
-  const SceneObjects objects{ walls(10).build(), {} };
+  const SceneObjects objects{ ovenWith(10).build(), {} };
   const WalkPlan plan(10000, 10000, 16);
   const std::vector<WalkSource> sources = gatheredOf(objects, plan);
   ASSERT_EQ(sources.size(), 1u);
@@ -129,14 +111,11 @@ TEST(DimLights, AreShotAlone)
 // each finds 1 W/m2. Looking for these lights small cells were 20 % off.
 TEST(DimLights, AreFoundByAnyRayOfAFurnace)
 {
-  ObjectBuilder room, ball;
-  room.addBox(box({ 0, 0, 0 }, { 4, 4, 3 }), 4, grey(0.5, 0.5), true);
-  ball.addSphere({ 1.5, 2, 1.2 }, 0.3, 16, grey(0.5, 0.5));
-  const SceneObjects objects{ room.build(), { ball.build() } };
-  EngineSettings settings = test::gathering(200000);
-  IrradianceEngine engine;
-  Execution serial;
-  engine.update(objects, settings, serial);
+  ObjectBuilder thing;
+  thing.addSphere({ 1.5, 2, 1.2 }, 0.3, 16, grey(0.5, 0.5));
+  const SceneObjects objects{ plainRoom({ 4, 4, 3 }, 4, grey(0.5, 0.5)).build(),
+    { thing.build() } };
+  const UpdatedEngine engine(objects, gathering(200000));
   double square = 0;
   const std::size_t count = objects.dynamicObjects[0].material->numberOfCells;
   for (std::size_t cell = 0; cell < count; ++cell)
@@ -146,4 +125,5 @@ TEST(DimLights, AreFoundByAnyRayOfAFurnace)
   EXPECT_LT(std::sqrt(square / static_cast<double>(count)), 0.02);
 }
 
+}
 }

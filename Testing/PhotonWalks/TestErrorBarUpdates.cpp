@@ -54,28 +54,5 @@ TEST_P(ErrorBarUpdates, DarkCellsDoNotMakeTheDialRunForever)
 
 INSTANTIATE_TEST_SUITE_P(ShotAndGathered, ErrorBarUpdates, testing::Bool(), nameOfMode);
 
-// Law 7: one number for each cell, side and band; with error bars, one for each replicate.
-TEST(PayForWhatIsUsed, NoErrorBarsNoReplicateSums)
-{
-  const SceneObjects objects = MovingScene(3, true, 73).objects();
-  std::size_t cells = 0;
-  for (std::uint32_t i = 0; i < objects.size(); ++i)
-  {
-    cells += objects[i].material->numberOfCells;
-  }
-  for (const std::uint32_t replicates : { 1u, 16u })
-  {
-    EngineSettings settings = Shoot(5000).errors(replicates);
-    UpdatedEngine engine(objects, settings);
-    EXPECT_EQ(engine.sums().bytes(), 2 * cells * 3 * 8 * replicates) << "two sides";
-    EXPECT_EQ(engine.sums().rounds(), 1u);
-    const std::size_t history = engine.statistics().historyBytes;
-    settings.replicates = 1;
-    engine.update(objects, settings);
-    EXPECT_NEAR(double(history), double(engine.statistics().historyBytes), 0.03 * double(history))
-      << "stored walks do not carry their replicate";
-  }
-}
-
 }
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "FrontWorld.h"
 #include "Kit.h"
 #include "ShotWalk.h"
 
@@ -7,48 +8,28 @@ namespace irradiance::test
 namespace
 {
 
-/// Everything needed to shoot walks into a frame, without an engine.
-class TracedFrame
+/// A scene into which walks are shot one by one, without an engine.
+class TracedFrame : public FrontWorld
 {
 public:
-  TracedFrame(const SceneObjects& objects, const EngineSettings& settings)
-    : objects_(objects)
-    , lights_(objects, settings.numberOfWalks)
-    , samples_(settings.seed)
-    , triangles_(objects_)
-    , tracer_(scene_, objects_, triangles_, lights_, samples_)
+  TracedFrame(const SceneObjects& objects, const Shoot& settings)
+    : FrontWorld(
+        objects, WalkPlan(settings.numberOfWalks, settings.numberOfWalks, 1), settings.seed)
   {
-    scene_.setTraversalMode(TraversalMode::Sequential);
-    scene_.setStatic(objects.staticObject.body);
-    scene_.setDynamic(objects.dynamicBodies());
-    scene_.setPointSources(lights_.boundsInAir());
-    scene_.commit({});
   }
-  TracedFrame(const TracedFrame&) = delete;
-
   std::vector<WalkSegment> trace(std::uint32_t walk) const
   {
-    return shotWalk(tracer_, objects_, walk);
+    return shotWalk(tracer(), objects(), walk);
   }
-  Power powerOf(std::uint32_t walk) const { return tracer_.sampler().powerOf(walk); }
-  Hit cast(const WalkSegment& segment) const { return scene_.cast(segment.ray); }
   bool isMoved(const TracedFrame& before, const Hit& hit) const
   {
     if (!hit || hit.id.object == 0)
     {
       return false;
     }
-    const SceneObject &now = objects_[hit.id.object], &then = before.objects_[hit.id.object];
+    const SceneObject &now = objects()[hit.id.object], &then = before.objects()[hit.id.object];
     return now.body != then.body || now.worldFromObject != then.worldFromObject;
   }
-
-private:
-  SceneObjects objects_;
-  Scene scene_;
-  LightTable lights_;
-  SobolSequence samples_;
-  SceneTriangles triangles_;
-  WalkTracer tracer_;
 };
 
 struct Counts
@@ -67,7 +48,7 @@ Counts countByDefinition(const TracedFrame& before, const TracedFrame& now, std:
     for (std::uint32_t i = 0; i < trace.size(); ++i)
     {
       const Hit& old = trace[i].hit;
-      if (now.isMoved(before, old) || now.cast(trace[i]) != old)
+      if (now.isMoved(before, old) || now.scene().cast(trace[i].ray) != old)
       {
         ++counts.invalid;
         counts.repaired += now.trace(walk).size() - i;
@@ -84,15 +65,14 @@ TEST(InvalidWalks, AreThoseThatChangedByDefinition)
   for (const bool isClosed : { true, false })
   {
     MovingScene scene(1, isClosed, 71, isClosed);
-    Shoot settings(scaled(3000));
-    Execution execution;
-    UpdatedEngine engine(scene.objects(), settings, execution);
+    Shoot settings(scaled(1000));
+    UpdatedEngine engine(scene.objects(), settings);
     auto before = std::make_unique<TracedFrame>(scene.objects(), settings);
     for (int frame = 1; frame <= 12; ++frame)
     {
       scene.nextFrame();
       auto now = std::make_unique<TracedFrame>(scene.objects(), settings);
-      engine.update(scene.objects(), settings, execution);
+      engine.update(scene.objects(), settings);
       const Counts counts = countByDefinition(*before, *now, settings.numberOfWalks);
       EXPECT_EQ(engine.statistics().invalidWalks, counts.invalid) << "frame " << frame;
       EXPECT_EQ(engine.statistics().repairedSegments, counts.repaired) << "frame " << frame;
@@ -107,18 +87,17 @@ TEST(PowerBalance, EqualsARecountOfTheWalks)
   for (const int bands : { 1, 3 })
   {
     MovingScene scene(bands, false, 12);
-    const Shoot settings(scaled(2000));
-    IrradianceEngine engine;
-    Execution execution;
+    const Shoot settings(scaled(1000));
+    UpdatedEngine engine;
     for (int frame = 0; frame < 15; ++frame, scene.nextFrame())
     {
-      engine.update(scene.objects(), settings, execution);
+      engine.update(scene.objects(), settings);
       const TracedFrame traced(scene.objects(), settings);
       Power received, emitted, escaped, sum;
       std::int64_t segments = 0;
       for (std::uint32_t walk = 0; walk < settings.numberOfWalks; ++walk)
       {
-        emitted += traced.powerOf(walk);
+        emitted += traced.sampler().powerOf(walk);
         for (const WalkSegment& segment : traced.trace(walk))
         {
           ++segments;

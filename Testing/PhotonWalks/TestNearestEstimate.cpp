@@ -18,13 +18,11 @@ struct Lit
   Lit(SceneObjects scene, std::uint32_t walks, std::uint64_t seed = 1)
     : objects(std::move(scene))
   {
-    EngineSettings settings = Shoot(walks).seeded(seed).kept();
-    Execution execution;
-    engine.update(objects, settings, execution);
-    leaves = LeafPhotons(objects);
-    leaves.add(onlySet(engine).history(), 0, onlySet(engine).history().size(), execution);
-    surfaces.update(objects);
-    photons.emplace(leaves, surfaces, objects, onlySet(engine).history());
+    Execution serial;
+    engine.update(objects, Shoot(walks).seeded(seed).kept());
+    engine.collectPhotons(serial);
+    engine.prepareSurfaces(serial);
+    photons.emplace(engine.nearestPhotons());
   }
 
   NearestEstimate estimate(
@@ -40,9 +38,7 @@ struct Lit
   }
 
   SceneObjects objects;
-  IrradianceEngine engine;
-  LeafPhotons leaves;
-  Surfaces surfaces;
+  UpdatedEngine engine;
   std::optional<NearestPhotons> photons;
 };
 
@@ -133,11 +129,9 @@ TEST(NearestEstimate, NoBiasAtEdgesAndCorners)
   ReplicateMean inside, edges, corners, onBall;
   for (int seed = 1; seed <= kSeeds; ++seed)
   {
-    ObjectBuilder room, ball;
-    room.addBox(box({ 0, 0, 0 }, { 4, 4, 4 }), 2, grey(0.5, 0.5), true);
-    ball.addSphere({ 0, 0, 0 }, 0.8, 8, grey(0.5, 0.5));
-    const Lit lit({ room.build(), { ball.build(shift({ 2, 2, 2 })) } }, scaled(20000),
-      static_cast<std::uint64_t>(seed));
+    const Look look = grey(0.5, 0.5);
+    const Lit lit({ plainRoom({ 4, 4, 4 }, 2, look).build(), { ball({ 2, 2, 2 }, 0.8, 8, look) } },
+      scaled(20000), static_cast<std::uint64_t>(seed));
     RandomVectors random(static_cast<unsigned>(seed));
     ReplicateMean atInside, atEdges, atCorners, atBall;
     for (int i = 0; i < 200; ++i)

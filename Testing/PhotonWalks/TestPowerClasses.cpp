@@ -3,20 +3,12 @@
 
 #include "DirectLight/PowerClasses.h"
 
-#include "DirectRuns.h"
+#include "Kit.h"
 
-#include <gtest/gtest.h>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
-
-using test::box;
-using test::grey;
-using test::ObjectBuilder;
-using test::quantaPerWatt;
 
 /// Lamps of so many watts, each a strip of ten facets that share corners, and a point light. No
 /// light arrives anywhere.
@@ -57,8 +49,7 @@ void expectFlux(const std::vector<double>& found, const std::vector<double>& exp
 /// shines on the ground around.
 SceneObjects hutAndSun(double sun)
 {
-  ObjectBuilder scene;
-  scene.addBox(box({ 0, 0, 0 }, { 4, 4, 3 }), 6, grey(0.5), true);
+  ObjectBuilder scene = plainRoom({ 4, 4, 3 }, 6, grey(0.5));
   scene.addBox(box({ -0.1, -0.1, -0.1 }, { 4.1, 4.1, 3.1 }), 2, grey(0.5));
   scene.addQuad({ -20, -20, -0.2 }, { 44, 0, 0 }, { 0, 44, 0 }, 8, 8, grey(0.5));
   scene.addQuad({ 1.5, 1.5, 2.9 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(1, 10));
@@ -67,8 +58,6 @@ SceneObjects hutAndSun(double sun)
     scene.addPointLight({ 20, 0, 40 }, sun);
   }
   return { scene.build(), {} };
-}
-
 }
 
 // Facets are weaker than their lamp.
@@ -96,10 +85,9 @@ TEST(PowerClasses, HaveNoneForWhatIsTooLittle)
 TEST(PowerClasses, AreOfLampsThatShineElsewhere)
 {
   const auto scene = [](bool hasWall, double height) {
-    ObjectBuilder room;
-    room.addBox(box({ 0, 0, 0 }, { 8, 4, 3 }), 8, grey(0.5), true);
+    ObjectBuilder room = plainRoom({ 8, 4, 3 }, 8, grey(0.5));
     room.addQuad({ 1, 1, 2.9 }, { 0, 2, 0 }, { 2, 0, 0 }, 2, 2, grey(0, 100));
-    room.addQuad({ 6.4, 2.15, height }, { 0, 0.2, 0 }, { 0.2, 0, 0 }, 1, 1, grey(0, 100));
+    addPanel(room, { 6.4, 2.15, height }, 0.2, 0.2, 100);
     if (hasWall)
     {
       room.addQuad({ 4, 0, 0 }, { 0, 4, 0 }, { 0, 0, 3 }, 2, 2, grey(0.5));
@@ -114,8 +102,7 @@ TEST(PowerClasses, AreOfLampsThatShineElsewhere)
 // The walls of a furnace outshine the lamps in it everywhere.
 TEST(PowerClasses, LeaveAFurnaceWhole)
 {
-  ObjectBuilder furnace;
-  furnace.addBox(box({ 0, 0, 0 }, { 4, 4, 3 }), 4, grey(0.5, 0.5), true);
+  ObjectBuilder furnace = plainRoom({ 4, 4, 3 }, 4, grey(0.5, 0.5));
   furnace.addSphere({ 1.5, 2, 1.2 }, 0.3, 16, grey(0.5, 0.5));
   EXPECT_EQ(fluxOfClasses({ furnace.build(), {} }).size(), 1u);
 }
@@ -134,11 +121,7 @@ TEST(PowerClasses, ShareWalks)
     EXPECT_EQ(sources[1].plan.rounds().front().firstWalk, sources[0].plan.endWalk());
     for (const WalkSource& source : sources)
     {
-      EXPECT_NEAR(
-        double(source.lights.quantaPerWalk()) * source.plan.walksAfter(1) / source.lights.flux(),
-        double(sources[0].lights.quantaPerWalk()) * sources[0].plan.walksAfter(1) /
-          sources[0].lights.flux(),
-        2e-3 * 0x1p46 / (sun + 10));
+      EXPECT_NEAR(quantaPerWatt(source), quantaPerWatt(sources[0]), 2e-3 * 0x1p46 / (sun + 10));
     }
   }
 }
@@ -153,22 +136,13 @@ TEST(PowerClasses, KeepAWeakLampBesideAStrongOne)
   {
     for (const double sun : { 0.0, 1e5, 1e7, 1e9 })
     {
-      test::ReplicateMean received;
-      for (std::uint64_t seed = 1; seed <= (test::kIsSanitized ? 2 : 8); ++seed)
-      {
-        EngineSettings settings;
-        settings.numberOfWalks = 100000;
-        settings.seed = seed;
-        settings.gathersDirectLight = isGathered;
-        settings.verify = false;
-        IrradianceEngine engine;
-        Execution execution;
-        engine.update(hutAndSun(sun), settings, execution);
-        received.add(test::wattsOn(engine, 0, 0, 216));
-      }
+      ReplicateMean received;
+      overSeeds(hutAndSun(sun), kIsSanitized ? 2 : 8, Shoot(100000).gathered(isGathered),
+        [&](const IrradianceEngine& engine) { received.add(wattsOn(engine, 0, 0, 216)); });
       EXPECT_NEAR(received.mean(), 20, sun < 1e8 ? 0.15 : 0.6) << isGathered << ", " << sun;
     }
   }
 }
 
+}
 }

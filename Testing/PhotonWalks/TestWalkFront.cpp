@@ -8,36 +8,30 @@ namespace irradiance::test
 namespace
 {
 
+/// All columns of a row but for its power.
+auto columnsOf(WalkFront& front, std::size_t i)
+{
+  return std::tie(front.originX[i], front.originY[i], front.originZ[i], front.directionX[i],
+    front.directionY[i], front.directionZ[i], front.start[i], front.side[i], front.distance[i],
+    front.hit[i], front.weightB[i], front.weightC[i], front.hitSide[i], front.candidate[i],
+    front.walk[i], front.bounce[i], front.block[i], front.slot[i], front.parent[i],
+    front.isSpecular[i]);
+}
+
+int bandsOfPower(const WalkFront& front)
+{
+  return front.bands > 1 ? front.bands : 0;
+}
+
 /// Every column tells the number of the row, each in another way.
 void write(WalkFront& front, std::size_t place, std::uint32_t number)
 {
-  double* const doubles[] = { &front.originX[place], &front.originY[place], &front.originZ[place],
-    &front.distance[place] };
-  float* const floats[] = { &front.directionX[place], &front.directionY[place],
-    &front.directionZ[place], &front.weightB[place], &front.weightC[place] };
-  std::uint32_t* const integers[] = { &front.start[place], &front.hit[place],
-    &front.candidate[place], &front.walk[place], &front.bounce[place], &front.block[place],
-    &front.slot[place], &front.parent[place] };
-  std::uint8_t* const bytes[] = { &front.side[place], &front.hitSide[place],
-    &front.isSpecular[place] };
   std::uint32_t column = 0;
-  for (double* const value : doubles)
-  {
-    *value = number + 0.01 * ++column;
-  }
-  for (float* const value : floats)
-  {
-    *value = static_cast<float>(number + ++column);
-  }
-  for (std::uint32_t* const value : integers)
-  {
-    *value = 0x10000 * ++column + number;
-  }
-  for (std::uint8_t* const value : bytes)
-  {
-    *value = static_cast<std::uint8_t>(number + ++column);
-  }
-  for (int band = 0; front.bands > 1 && band < front.bands; ++band)
+  const auto set = [&](auto& value) {
+    value = static_cast<std::decay_t<decltype(value)>>(number + 1000 * ++column);
+  };
+  std::apply([&](auto&... values) { (set(values), ...); }, columnsOf(front, place));
+  for (int band = 0; band < bandsOfPower(front); ++band)
   {
     front.power[band][place] = (std::int64_t{ ++column } << 40) + number;
   }
@@ -48,30 +42,8 @@ void expectRow(WalkFront& front, std::size_t place, std::uint32_t number)
   WalkFront expected;
   expected.reserve(1, front.bands);
   write(expected, 0, number);
-  ASSERT_EQ(front.originX[place], expected.originX[0]);
-  ASSERT_EQ(front.originY[place], expected.originY[0]);
-  ASSERT_EQ(front.originZ[place], expected.originZ[0]);
-  ASSERT_EQ(front.directionX[place], expected.directionX[0]);
-  ASSERT_EQ(front.directionY[place], expected.directionY[0]);
-  ASSERT_EQ(front.directionZ[place], expected.directionZ[0]);
-  ASSERT_EQ(front.start[place], expected.start[0]);
-  ASSERT_EQ(front.side[place], expected.side[0]);
-  ASSERT_EQ(front.distance[place], expected.distance[0]);
-  ASSERT_EQ(front.hit[place], expected.hit[0]);
-  ASSERT_EQ(front.weightB[place], expected.weightB[0]);
-  ASSERT_EQ(front.weightC[place], expected.weightC[0]);
-  ASSERT_EQ(front.hitSide[place], expected.hitSide[0]);
-  ASSERT_EQ(front.candidate[place], expected.candidate[0]);
-  ASSERT_EQ(front.walk[place], expected.walk[0]);
-  ASSERT_EQ(front.bounce[place], expected.bounce[0]);
-  ASSERT_EQ(front.block[place], expected.block[0]);
-  ASSERT_EQ(front.slot[place], expected.slot[0]);
-  ASSERT_EQ(front.parent[place], expected.parent[0]);
-  ASSERT_EQ(front.isSpecular[place], expected.isSpecular[0]);
-  for (int band = 0; front.bands > 1 && band < front.bands; ++band)
-  {
-    ASSERT_EQ(front.power[band][place], expected.power[band][0]);
-  }
+  ASSERT_TRUE(columnsOf(front, place) == columnsOf(expected, 0)) << "row " << place;
+  ASSERT_EQ(front.powerAt(place, bandsOfPower(front)), expected.powerAt(0, bandsOfPower(front)));
 }
 
 TEST(WalkFront, TakesWholeRowsBehindItsOwn)

@@ -99,14 +99,21 @@ void fill(WalkFront& front, const FrontWorld& world, Bounces bounces, std::uint3
   }
 }
 
-Vector3 originOf(const WalkFront& front, std::size_t i)
-{
-  return { front.originX[i], front.originY[i], front.originZ[i] };
-}
-
 Vector3 directionOf(const WalkFront& front, std::size_t i)
 {
   return { front.directionX[i], front.directionY[i], front.directionZ[i] };
+}
+
+/// What a walk takes along from its hit into the next front, `next` or `front`.
+auto onwards(const WalkFront& next, std::size_t i)
+{
+  return std::tuple(next.walk[i], next.start[i], next.bounce[i], next.parent[i], next.block[i],
+    next.weightB[i], next.weightC[i], next.side[i]);
+}
+auto fromHit(const WalkFront& front, std::size_t i)
+{
+  return std::tuple(front.walk[i], front.hit[i], front.bounce[i] + 1, front.slot[i], front.block[i],
+    front.weightB[i], front.weightC[i], front.hitSide[i]);
 }
 
 /// The plans of one and of several replicates.
@@ -178,14 +185,7 @@ TEST(WalkStages, WalksSurviveAsTheirSamplesSay)
           world.sampler().materialOf(id.object).totalReflectance()[world.sampler().cellOf(id)])
       {
         ASSERT_LT(kept, next.size);
-        ASSERT_EQ(next.walk[kept], first + i);
-        ASSERT_EQ(next.start[kept], front.hit[i]);
-        ASSERT_EQ(next.bounce[kept], front.bounce[i] + 1);
-        ASSERT_EQ(next.parent[kept], front.slot[i]);
-        ASSERT_EQ(next.block[kept], front.block[i]);
-        ASSERT_EQ(next.weightB[kept], front.weightB[i]);
-        ASSERT_EQ(next.weightC[kept], front.weightC[i]);
-        ASSERT_EQ(next.side[kept], front.hitSide[i]);
+        ASSERT_TRUE(onwards(next, kept) == fromHit(front, i)) << "walk " << first + i;
         ++kept;
       }
     }
@@ -220,16 +220,9 @@ TEST(WalkStages, PackingKeepsOrderAndLosesNothing)
         {
           continue;
         }
-        ASSERT_EQ(next.start[kept], front.hit[i]);
-        ASSERT_EQ(next.walk[kept], front.walk[i]);
-        ASSERT_EQ(next.bounce[kept], front.bounce[i] + 1);
-        ASSERT_EQ(next.block[kept], front.block[i]);
-        ASSERT_EQ(next.parent[kept], front.slot[i]);
-        ASSERT_EQ(next.side[kept], front.hitSide[i]);
+        ASSERT_TRUE(onwards(next, kept) == fromHit(front, i)) << "row " << i;
         ASSERT_EQ(next.isSpecular[kept], front.isSpecular[i]);
-        ASSERT_EQ(next.weightB[kept], front.weightB[i]);
-        ASSERT_EQ(next.weightC[kept], front.weightC[i]);
-        ASSERT_EQ(originOf(next, kept), originOf(front, i));
+        ASSERT_EQ(world.rayOf(next, kept).origin, world.rayOf(front, i).origin);
         ASSERT_EQ(directionOf(next, kept), directionOf(front, i));
         ASSERT_EQ(next.powerAt(kept, 3), front.powerAt(i, 3));
         ++kept;
@@ -257,7 +250,7 @@ TEST(WalkStages, RaysLeaveFromSurfacePoints)
         world.scene().worldTriangle(world.triangles().idOf(front.start[i])), { 1 - b - c, b, c });
       point.turn(before.side[i] != 0);
       ASSERT_EQ(front.side[i] != 0, point.isFront);
-      ASSERT_EQ(originOf(front, i), point.clearPosition());
+      ASSERT_EQ(world.rayOf(front, i).origin, point.clearPosition());
       const auto sample =
         integersOf(world.samples(), first + i, front.bounce[i], SampleUse::Direction);
       const CosineDirectionInFloat expected(static_cast<float>(point.normal[0]),
