@@ -49,20 +49,6 @@ public:
   }
   const std::vector<ReplicateMean>& cells() const { return means_; }
 
-  /// Chi-square of the t of cells [first, end), with the variance n / (n - 2) of Student's t, over
-  /// the value that chance exceeds once in 10^4; cells are taken as independent, for which a tenth
-  /// is added.
-  double chiSquareBesideLimit(std::size_t first, std::size_t end, double truth) const
-  {
-    double sum = 0;
-    for (std::size_t i = first; i < end; ++i)
-    {
-      sum += std::pow(means_[i].t(truth), 2);
-    }
-    const double freedom = means_[first].count() - 1.0;
-    return sum * (freedom - 2) / freedom / (1.1 * chiSquareLimit(double(end - first), 3.72));
-  }
-
 private:
   std::vector<ReplicateMean> means_;
 };
@@ -124,15 +110,10 @@ inline SeedMeans meansOf(
   const SceneObjects& objects, int seeds, EngineSettings settings, std::uint64_t firstSeed = 1)
 {
   SeedMeans means;
-  settings.verify = false;
-  for (int i = 0; i < seeds; ++i)
-  {
-    settings.seed = firstSeed + static_cast<std::uint64_t>(i);
-    IrradianceEngine engine;
-    ThreadExecution two(2);
-    engine.update(objects, settings, two);
-    means.add(engine);
-  }
+  settings.seed = firstSeed;
+  overSeeds(
+    objects, seeds, settings, [&](const IrradianceEngine& engine) { means.add(engine); },
+    ThreadExecution(2));
   return means;
 }
 

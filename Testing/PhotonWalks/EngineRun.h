@@ -249,14 +249,15 @@ private:
   double squares_ = 0;
 };
 
-/// Calls use(engine) with a first frame of each seed from 1 on.
+/// Calls use(engine) with a first frame of so many seeds, from that of the settings on.
 template <class Use>
-void overSeeds(const SceneObjects& objects, int seeds, EngineSettings settings, const Use& use)
+void overSeeds(const SceneObjects& objects, int seeds, EngineSettings settings, const Use& use,
+  Execution&& execution = Execution())
 {
   settings.verify = false;
-  for (settings.seed = 1; settings.seed <= static_cast<std::uint64_t>(seeds); ++settings.seed)
+  for (int i = 0; i < seeds; ++i, ++settings.seed)
   {
-    const UpdatedEngine engine(objects, settings);
+    const UpdatedEngine engine(objects, settings, execution);
     expectBalance(engine);
     use(engine);
   }

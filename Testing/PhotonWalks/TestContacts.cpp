@@ -20,15 +20,13 @@ TEST(Contacts, ASheetThatIsNotHitMatters)
   ObjectBuilder sheet;
   sheet.addQuad({ -1, -1, 1.8 * margin }, { 2, 0, 0 }, { 0, 2, 0 }, 1, 1, grey(0.5));
   SceneObjects objects{ lamps.build(), { sheet.build() } };
-  Shoot settings(scaled(5000));
-  IrradianceEngine engine;
-  Execution one;
+  UpdatedEngine engine;
   std::int64_t received = 0;
   for (const double x : { 0.0, 5.0, 0.0, 0.5, 5.0 })
   {
     objects.dynamicObjects[0].worldFromObject = shift({ x, 0, 0 });
-    engine.update(objects, settings, one);
-    ASSERT_EQ(answerOf(engine, objects), freshAnswer(objects, settings)) << "at " << x;
+    engine.update(objects, Shoot(scaled(5000)));
+    ASSERT_TRUE(isAsFresh(engine)) << "at " << x;
     const double upper = engine.sums().sum({ 0, 1 }, 0);
     EXPECT_NE(upper, received); // so it does matter
     received = upper;
@@ -46,17 +44,14 @@ TEST(Contacts, AShutterBeforeALampInACeiling)
   shutter.addQuad({ -1, -1, 0.5 }, { 2, 0, 0 }, { 0, 2, 0 }, 1, 1, grey(0.5));
   plate.addQuad({ -9, -9, 2 }, { 18, 0, 0 }, { 0, 18, 0 }, 1, 1, grey(0.5));
   SceneObjects objects{ room.build(), { shutter.build(), plate.build() } };
-  Shoot settings(scaled(5000));
-  Execution one;
   for (const bool isGathered : { false, true })
   {
-    settings.gathersDirectLight = isGathered;
-    IrradianceEngine engine;
+    UpdatedEngine engine;
     for (const double x : { 5.0, 0.0, 5.0, 1.0, 5.0 })
     {
       objects.dynamicObjects[0].worldFromObject = shift({ x, 0, 0 });
-      engine.update(objects, settings, one);
-      ASSERT_EQ(answerOf(engine, objects), freshAnswer(objects, settings)) << "at " << x;
+      engine.update(objects, Shoot(scaled(5000)).gathered(isGathered));
+      ASSERT_TRUE(isAsFresh(engine)) << "at " << x;
     }
   }
 }
@@ -65,14 +60,12 @@ TEST(Contacts, AShutterBeforeALampInACeiling)
 TEST(Contacts, NoLightGetsInside)
 {
   SceneObjects objects{ lightTable(), { makeBox(0.5) } };
-  EngineSettings settings = Shoot(scaled(100000)).bySide();
   for (const auto& [angle, isGathered] : { std::pair(0.0, false), std::pair(0.3, false),
          std::pair(1.1, false), std::pair(0.0, true), std::pair(0.3, true), std::pair(1.1, true) })
   {
-    settings.gathersDirectLight = isGathered;
     const Eigen::AngleAxisd turn(angle, Vector3::UnitZ());
     objects.dynamicObjects[0].worldFromObject = { turn.toRotationMatrix(), Vector3(-0.3, -0.2, 0) };
-    UpdatedEngine engine(objects, settings);
+    UpdatedEngine engine(objects, Shoot(scaled(100000)).bySide().gathered(isGathered));
     for (std::size_t cell = 0; cell < 24; ++cell)
     {
       EXPECT_EQ(engine.sums().sum({ 1, cell, 1 }, 0), 0) << "angle " << angle << ", cell " << cell;
@@ -90,15 +83,13 @@ TEST(Contacts, NoLightGetsInside)
 // these are exceeded in 1 of 10^6 runs.
 TEST(Contacts, ALargeCellFindsTheSmallLampThatStandsOnIt)
 {
-  ObjectBuilder room;
-  room.addBox(box({ 0, 0, 0 }, { 3, 3, 3 }), 1, grey(0.5), true);
+  ObjectBuilder room = plainRoom({ 3, 3, 3 }, 1, grey(0.5));
   room.addBox(box({ 1.25, 1.25, 0 }, { 1.75, 1.75, 0.5 }), 1, grey(0.5, 10));
   const SceneObjects objects{ room.build(), {} };
   constexpr double kWatts = 6 * 0.25 * 10;
   for (std::uint64_t seed = 1; seed <= 4; ++seed)
   {
-    EngineSettings settings = Shoot(scaled(20000)).seeded(seed).gathered();
-    UpdatedEngine engine(objects, settings);
+    UpdatedEngine engine(objects, Shoot(scaled(20000)).seeded(seed).gathered());
     EXPECT_NEAR(
       engine.watts(engine.balance().escaped.total()), 0, (kIsSanitized ? 0.3 : 0.08) * kWatts)
       << "seed " << seed;

@@ -13,8 +13,8 @@ constexpr std::size_t kAll = 1000000; // more than any test shoots
 
 EngineSettings settingsOf(std::uint32_t walks)
 {
-  Shoot settings(walks);
-  settings.gathersDirectLight = settings.keepPhotons = settings.listRepaired = true;
+  EngineSettings settings = Shoot(walks).gathered().kept();
+  settings.listRepaired = true;
   return settings;
 }
 
@@ -84,10 +84,8 @@ TEST(FinalGatherPaths, BeginOnTheLight)
 // and few else.
 TEST(FinalGatherPaths, FewAreSpreadAndStay)
 {
-  MovingScene scene(1, true, 32);
-  SceneObjects objects = scene.objects();
-  Execution serial;
-  UpdatedEngine engine(objects, settingsOf(20000), serial);
+  SceneObjects objects = MovingScene(1, true, 32).objects();
+  UpdatedEngine engine(objects, settingsOf(20000));
   const auto chosen = [&] {
     const std::vector<std::uint32_t> walks = WalkPaths(engine).first(100);
     EXPECT_EQ(walks.size(), 100u);
@@ -108,7 +106,7 @@ TEST(FinalGatherPaths, FewAreSpreadAndStay)
   }
   EXPECT_GE(sixths.size(), 6u);
   objects.dynamicObjects[0].worldFromObject.translation += Vector3(0.05, 0, 0.02);
-  engine.update(objects, settingsOf(20000), serial);
+  engine.update(objects, settingsOf(20000));
   const std::vector<std::uint32_t> after = chosen();
   std::vector<std::uint32_t> both;
   std::set_intersection(
@@ -166,8 +164,7 @@ TEST(FinalGatherPaths, SayWhatWasRepaired)
 // Those that touch a cell are those whose points lie on it.
 TEST(FinalGatherPaths, TouchingACell)
 {
-  ObjectBuilder room, board;
-  room.addBox(box({ 0, 0, 0 }, { 2, 2, 2 }), 2, grey(0.6), true);
+  ObjectBuilder room = plainRoom({ 2, 2, 2 }, 2, grey(0.6)), board;
   room.addQuad({ 0.5, 0.5, 1.9 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(0.3, 5)); // cell 24
   board.addQuad({ -0.3, -0.3, 0 }, { 0.6, 0, 0 }, { 0, 0.6, 0 }, 1, 1, grey(0.5));
   Execution serial;

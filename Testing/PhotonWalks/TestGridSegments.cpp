@@ -23,10 +23,7 @@ PointGrid randomGrid(RandomVectors& random)
   const Vector3 center = unit * random.powerOfTwo(-10, 20) * random.direction();
   const Vector3 half = unit *
     Vector3(1, random.powerOfTwo(-14, 0), random.uniform() > 0.8 ? 0 : random.powerOfTwo(-3, 0));
-  Box box;
-  box.add(Vector3(center - half));
-  box.add(Vector3(center + half));
-  return PointGrid(box);
+  return PointGrid(box(center - half, center + half));
 }
 
 /// Some are whole, some begin or end far outside, some escape or run along an axis.
@@ -44,6 +41,16 @@ BounceSegment randomSegment(RandomVectors& random, const PointGrid& grid)
     segment.direction = Eigen::Vector3f::Unit(static_cast<int>(random.uniform(0, 3)));
   }
   return segment;
+}
+
+BounceFront randomFront(RandomVectors& random, const PointGrid& grid, std::size_t size)
+{
+  BounceFront front;
+  while (front.size() < size)
+  {
+    front.add(randomSegment(random, grid));
+  }
+  return front;
 }
 
 struct ExactRay
@@ -137,11 +144,7 @@ TEST(GridSegments, AreWhereTheSegmentsAre)
   for (int round = 0; round < 2000 / kFewer; ++round)
   {
     const PointGrid grid = randomGrid(random);
-    BounceFront front;
-    for (std::size_t i = 0; i < GridSegments::kSize - 3; ++i)
-    {
-      front.add(randomSegment(random, grid));
-    }
+    BounceFront front = randomFront(random, grid, GridSegments::kSize - 3);
     GridSegments segments;
     placeOnGrid(grid, front.columns().rays, 0, front.size(), segments);
     for (std::size_t i = 0; i < front.size(); ++i)
@@ -167,11 +170,7 @@ TEST(GridSegments, AreTheSameOnEveryInstructionSet)
   for (int round = 0; round < 200 / kFewer; ++round)
   {
     const PointGrid grid = randomGrid(random);
-    BounceFront front;
-    for (std::size_t i = 0; i < GridSegments::kSize; ++i)
-    {
-      front.add(randomSegment(random, grid));
-    }
+    BounceFront front = randomFront(random, grid, GridSegments::kSize);
     GridSegments first;
     for (const SimdLevel level : simdLevels())
     {
@@ -189,11 +188,7 @@ TEST(GridSegments, DoNotDependOnTheirNeighbours)
 {
   RandomVectors random(3);
   const PointGrid grid = randomGrid(random);
-  BounceFront front;
-  for (std::size_t i = 0; i < GridSegments::kSize; ++i)
-  {
-    front.add(randomSegment(random, grid));
-  }
+  BounceFront front = randomFront(random, grid, GridSegments::kSize);
   const BounceColumns columns = front.columns();
   GridSegments together;
   placeOnGrid(grid, columns.rays, 0, front.size(), together);
@@ -213,20 +208,14 @@ TEST(GridSegments, DoNotDependOnTheirNeighbours)
 TEST(GridSegments, ScaleWithTheScene)
 {
   RandomVectors random(4);
-  Box box;
-  box.add(Vector3(-3, 1, 5));
-  box.add(Vector3(4, 2, 6));
+  const Vector3 lower(-3, 1, 5), upper(4, 2, 6);
   for (const double scale : { 0x1p-30, 0x1p50 })
   {
-    Box scaledBox;
-    scaledBox.add(Vector3(scale * box.lower));
-    scaledBox.add(Vector3(scale * box.upper));
-    const PointGrid grid(box), scaledGrid(scaledBox);
-    BounceFront front, scaledFront;
-    for (std::size_t i = 0; i < GridSegments::kSize; ++i)
+    const PointGrid grid(box(lower, upper)), scaledGrid(box(scale * lower, scale * upper));
+    BounceFront front = randomFront(random, grid, GridSegments::kSize), scaledFront;
+    for (std::size_t i = 0; i < front.size(); ++i)
     {
-      BounceSegment segment = randomSegment(random, grid);
-      front.add(segment);
+      BounceSegment segment = front[i];
       segment.origin *= scale;
       segment.distance *= scale;
       scaledFront.add(segment);

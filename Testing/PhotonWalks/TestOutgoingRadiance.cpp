@@ -33,6 +33,13 @@ void addSpeck(ObjectBuilder& builder, const Look& look)
 
 const Vector3 kUp(0, 0, 1);
 
+/// W/m2/sr of the first cell of a static object, as a far eye sees it.
+double seenFrom(const Vector3& toEye, const ObjectBuilder& scene, const EngineSettings& settings,
+  std::uint32_t samples = 16)
+{
+  return seen({ scene.build(), {} }, settings, { { 0, 0 } }, { toEye, true }, samples)[0].value[0];
+}
+
 // The definition: the lobe times what arrives. The speck is 10^-6 of the distance wide.
 TEST(OutgoingRadiance, ALobeReflectsAPointLight)
 {
@@ -47,12 +54,10 @@ TEST(OutgoingRadiance, ALobeReflectsAPointLight)
       const double arriving = 7 / (4 * M_PI * lamp.squaredNorm()) * kUp.dot(lamp.normalized());
       const double expected =
         0.6 * PhongLobe(exponent).value(kUp, lamp.normalized(), toEye) * arriving;
-      const SceneObjects objects{ scene.build(), {} };
       const EngineSettings settings = settingsOf(100, gathers);
-      const auto light = seen(objects, settings, { { 0, 0 } }, { toEye, true }).front();
-      EXPECT_NEAR(light.value[0], expected, 1e-4 * expected) << "exponent " << exponent;
-      const auto below = seen(objects, settings, { { 0, 0 } }, { -toEye, true }).front();
-      EXPECT_EQ(below.value[0], 0) << "it is lit from above";
+      EXPECT_NEAR(seenFrom(toEye, scene, settings), expected, 1e-4 * expected)
+        << "exponent " << exponent;
+      EXPECT_EQ(seenFrom(-toEye, scene, settings), 0) << "it is lit from above";
     }
   }
 }
@@ -96,10 +101,7 @@ TEST(OutgoingRadiance, ALobeReflectsALampAsTheDefinitionSays)
       ReplicateMean found;
       for (std::uint64_t seed = 1; seed <= 12; ++seed)
       {
-        found.add(seen({ scene.build(), {} }, settingsOf(100, seed % 2 == 0, seed), { { 0, 0 } },
-          { toEye, true })
-                    .front()
-                    .value[0]);
+        found.add(seenFrom(toEye, scene, settingsOf(100, seed % 2 == 0, seed)));
       }
       EXPECT_LT(std::abs(found.mean() - expected), 5.5 * found.standardError() + 1e-3 * expected)
         << "exponent " << exponent << ", size " << size;
@@ -129,10 +131,7 @@ TEST(OutgoingRadiance, ALobeReflectsAStripAndManyLampsAsTheDefinitionSays)
   ReplicateMean found;
   for (std::uint64_t seed = 1; seed <= 12; ++seed)
   {
-    found.add(
-      seen({ scene.build(), {} }, settingsOf(100, false, seed), { { 0, 0 } }, { toEye, true }, 64)
-        .front()
-        .value[0]);
+    found.add(seenFrom(toEye, scene, settingsOf(100, false, seed), 64));
   }
   EXPECT_LT(std::abs(found.mean() - expected), 5.5 * found.standardError() + 2e-3 * expected);
   EXPECT_LT(found.standardError(), 0.03 * expected);
@@ -158,15 +157,9 @@ const Eye kInFurnace{ { 3.5, 0.4, 0.3 } };
 /// Those that show it their fronts: 9 of each wall, 3 of the body.
 std::vector<SceneCell> furnaceCells()
 {
-  std::vector<SceneCell> cells;
-  for (std::size_t cell = 0; cell < 54; ++cell)
-  {
-    cells.push_back({ 0, cell });
-  }
-  for (const std::size_t cell : { 1, 2, 4 })
-  {
-    cells.push_back({ 1, cell });
-  }
+  std::vector<SceneCell> cells = cellsOf(furnace());
+  cells.resize(54);
+  cells.insert(cells.end(), { { 1, 1 }, { 1, 2 }, { 1, 4 } });
   return cells;
 }
 
@@ -241,9 +234,7 @@ TEST(OutgoingRadiance, IsNoneWhereNothingShines)
 {
   for (const double exponent : { 20.0, kInfinity })
   {
-    ObjectBuilder room;
-    room.addBox(box({ 0, 0, 0 }, { 2, 2, 2 }), 1, glossy(0.3, 0.5, exponent), true);
-    SceneObjects objects{ room.build(), {} };
+    SceneObjects objects{ plainRoom({ 2, 2, 2 }, 1, glossy(0.3, 0.5, exponent)).build(), {} };
     auto dark = std::make_shared<Emission>();
     dark->exitance.assign(6, 0.0);
     objects.staticObject.emission = dark;
@@ -296,9 +287,8 @@ TEST(OutgoingRadiance, ErrorBarsHoldTheTruth)
 // replicates it is not known.
 TEST(OutgoingRadiance, DiffuseCellsHaveTheErrorOfTheirIrradiance)
 {
-  ObjectBuilder room;
-  room.addBox(box({ 0, 0, 0 }, { 2, 2, 2 }), 2, grey(0.6, 0.1), true);
-  room.addQuad({ 0.8, 0.8, 1.9 }, { 0, 0.4, 0 }, { 0.4, 0, 0 }, 1, 1, grey(0, 9));
+  ObjectBuilder room = plainRoom({ 2, 2, 2 }, 2, grey(0.6, 0.1));
+  addPanel(room, { 0.8, 0.8, 1.9 }, 0.4, 0.4, 9);
   const SceneObjects objects{ room.build(), {} };
   EngineSettings settings = settingsOf(5000);
   settings.replicates = 8;

@@ -20,20 +20,11 @@ struct Room
   std::vector<SceneObject> dynamicObjects;
   Box lights;
 
-  explicit Room(int cells = 1)
-  {
-    for (int side = 0; side < 6; ++side)
-    {
-      still.addSide(kRoom, side, cells, grey(0.5), true);
-    }
-  }
+  explicit Room(int cells = 1) { still.addBox(kRoom, cells, grey(0.5), true); }
 
-  void addBall(const Vector3& place, double radius, int bands)
+  void addBall(const Vector3& place, double radius, int n)
   {
-    ObjectBuilder ball;
-    ball.addSphere({ 0, 0, 0 }, radius, bands, grey(0.5));
-    dynamicObjects.push_back(ball.build());
-    dynamicObjects.back().worldFromObject = shift(place);
+    dynamicObjects.push_back(ball(place, radius, n));
   }
 
   SceneObjects objects() const { return { still.build(), dynamicObjects }; }

@@ -24,11 +24,10 @@ EngineSettings settingsOf(std::uint32_t walks, bool gathersDirectLight, std::uin
 /// ball and a box stand in it.
 SceneObjects furnace(int bands)
 {
-  ObjectBuilder room(bands), ball(bands), crate(bands);
-  room.addBox(box({ 0, 0, 0 }, { 4, 3, 5 }), 3, grey(0.5, 0.5), true);
-  ball.addSphere({ 0, 0, 0 }, 0.5, 4, grey(0.7, 0.3));
+  ObjectBuilder crate(bands);
   crate.addBox(box({ 2.5, 1, 0 }, { 3.3, 1.7, 0.7 }), 1, grey(0.2, 0.8));
-  return { room.build(), { ball.build(shift({ 1, 1.5, 2 })), crate.build() } };
+  return { plainRoom({ 4, 3, 5 }, 3, grey(0.5, 0.5), bands).build(),
+    { ball({ 1, 1.5, 2 }, 0.5, 4, grey(0.7, 0.3), bands), crate.build() } };
 }
 
 /// On walls, edges, and corners, which rounding in floats may have put on either side of them; in
@@ -110,12 +109,6 @@ TEST(SensorFinalGather, APointLightAloneIsExact)
   }
 }
 
-/// The solid angle of the rectangle [-a, a] x [-b, b] from a height over its middle.
-double solidAngle(double a, double b, double height)
-{
-  return 4 * std::asin(a * b / std::sqrt((a * a + height * height) * (b * b + height * height)));
-}
-
 // Two plates that shine at each other, or a single one: M Omega / pi from each. Nothing reflects.
 // Each sample brings as much of the fluence rate, so that it has no noise; it is off by as much as
 // the sensor is taken off its place.
@@ -136,6 +129,9 @@ TEST(SensorFinalGather, FluenceBetweenPlatesIsTheirSolidAngle)
     irradiance.add(lights[1].value[0]);
     outside.add(lights[2].value[0]);
   }
+  const auto solidAngle = [](double a, double b, double height) { // of [-a, a] x [-b, b]
+    return 4 * std::asin(a * b / std::sqrt((a * a + height * height) * (b * b + height * height)));
+  };
   const double truth = (10 * solidAngle(1, 0.5, 0.5) + 4 * solidAngle(1, 0.5, 1)) / M_PI;
   const double below = 10 * lambertIrradiance(place, down, lower);
   EXPECT_NEAR(fluence.mean(), truth, 4e-6 * truth);
@@ -145,19 +141,12 @@ TEST(SensorFinalGather, FluenceBetweenPlatesIsTheirSolidAngle)
   EXPECT_EQ(outside.mean(), 0) << "plates shine on one side";
 }
 
-/// A room whose walls have a reflectance each, with a lamp below the ceiling, and a table of 4 x 4
-/// cells.
+/// A lit room with a table of 4 x 4 cells.
 SceneObjects roomWithTable()
 {
-  const double reflectances[] = { 0.6, 0.4, 0.7, 0.5, 0.3, 0.8 };
-  ObjectBuilder room, table;
-  for (int side = 0; side < 6; ++side)
-  {
-    room.addSide(box({ 0, 0, 0 }, { 4, 4, 3 }), side, 8, grey(reflectances[side]), true);
-  }
-  room.addQuad({ 1.2, 1.6, 2.9 }, { 0, 0.8, 0 }, { 1.2, 0, 0 }, 1, 1, grey(0, 30));
+  ObjectBuilder table;
   table.addBox(box({ 0, 0, 0 }, { 1, 1, 0.7 }), 4, grey(0.5));
-  return { room.build(), { table.build(shift({ 2.4, 0.5, 0 })) } };
+  return { litRoom(8).build(), { table.build(shift({ 2.4, 0.5, 0 })) } };
 }
 
 // The mean of sensors over a cell is the irradiance of the cell, which shot walks know without
@@ -190,12 +179,8 @@ TEST(SensorFinalGather, AgreesWithCells)
   const int seeds = 8;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed)
   {
-    IrradianceEngine shot;
-    ThreadExecution two(2);
-    EngineSettings settings = settingsOf(scaled(200000), false, 100 + seed);
-    settings.keepPhotons = false;
-    settings.verify = false;
-    shot.update(objects, settings, two);
+    const UpdatedEngine shot(
+      objects, Shoot(scaled(200000)).seeded(100 + seed).unverified(), ThreadExecution(2));
     const auto lights = gathered(objects, settingsOf(20000, seed % 2 == 0, seed), sensors, 16);
     for (std::size_t k = 0; k < 2; ++k)
     {
@@ -245,9 +230,7 @@ TEST(SensorFinalGather, ErrorBarsHoldTheTruth)
 // so.
 TEST(SensorFinalGather, ErrorBarsKnowTheNoiseOfWhatIsRead)
 {
-  ObjectBuilder room;
-  room.addBox(box({ 0, 0, 0 }, { 8, 8, 8 }), 3, grey(0.8, 0.2), true);
-  const SceneObjects objects{ room.build(), {} };
+  const SceneObjects objects{ plainRoom({ 8, 8, 8 }, 3, grey(0.8, 0.2)).build(), {} };
   constexpr int kSeeds = 40;
   double squares = 0;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed)
@@ -306,8 +289,7 @@ TEST(SensorFinalGather, SeesFromAfarWhatCellsReflect)
 
 TEST(SensorFinalGather, WithoutLightOrSurfaceThereIsNothing)
 {
-  ObjectBuilder dark, lamp;
-  dark.addBox(box({ 0, 0, 0 }, { 1, 1, 1 }), 2, grey(0.5), true);
+  ObjectBuilder dark = plainRoom({ 1, 1, 1 }, 2, grey(0.5)), lamp;
   lamp.addPointLight({ 1, 2, 3 }, 5);
   const std::vector<Sensor> sensors{ { { 0.3, 0.2, 0.5 }, kNone }, { { 1, 2, 3 }, kNone } };
   for (const SceneObject& object : { dark.build(), lamp.build(), nothing() })
