@@ -150,6 +150,15 @@ inline SceneObjects shadedRoom(double height)
   return shaded;
 }
 
+/// A point light and a ball in a room of 4 m around the origin.
+inline SceneObjects ballInARoom(double ofRoom, double ofBall)
+{
+  ObjectBuilder room;
+  room.addBox(box({ -2, -2, -2 }, { 2, 2, 2 }), 2, grey(ofRoom), true);
+  room.addPointLight({ 1.5, 1.5, 1.5 }, 3);
+  return { room.build(), { ball({ 0, 0, 0 }, 0.7, 4, grey(ofBall)) } };
+}
+
 /// A room of large cells with a lamp on its floor, a statue of small cells, and a coarse and a fine
 /// part that move.
 inline SceneObjects roomWithStatue(const Vector3& corner, int bands = 1)
@@ -182,9 +191,8 @@ struct GatherTestScene
 /// A spot of light that is smaller than the cells of the floor.
 inline SceneObjects spotRoom(int n)
 {
-  ObjectBuilder builder;
-  builder.addBox(box({ 0, 0, 0 }, { 8, 8, 8 }), n, grey(0.6), true);
-  builder.addQuad({ 4.7, 2.7, 1 }, { 0, 0.6, 0 }, { 0.6, 0, 0 }, 1, 1, grey(0, 30));
+  ObjectBuilder builder = plainRoom({ 8, 8, 8 }, n, grey(0.6));
+  addPanel(builder, { 4.7, 2.7, 1 }, 0.6, 0.6, 30);
   return { builder.build(), { ball({ 3.7, 4.9, 3.5 }, 0.7, 4) } };
 }
 
@@ -192,6 +200,7 @@ inline SceneObjects spotRoom(int n)
 /// parts that cross.
 inline std::vector<GatherTestScene> gatherScenes()
 {
+  const SceneObject small = ball({ 2.4, 1.5, 1 }, 0.4, 4);
   ObjectBuilder insideOfFurnace;
   insideOfFurnace.addSphere({ 0, 0, 0 }, 0.5, 4, {});
   std::vector<GatherTestScene> scenes{
@@ -199,9 +208,8 @@ inline std::vector<GatherTestScene> gatherScenes()
       { furnace(plainRoom({ 4, 3, 5 }, 3, {}), 0.6, false),
         { furnace(insideOfFurnace, 0.7, false, shift({ 1, 1.5, 2 })) } },
       1 },
-    { "area lamp", { litRoom(4).build(), { ball({ 2.4, 1.5, 1 }, 0.4, 4) } } },
-    { "spot", spotRoom(4) },
-    { "gloss", { litRoom(4, 1, 0.4).build(), { ball({ 2.4, 1.5, 1 }, 0.4, 4) } } },
+    { "area lamp", { litRoom(4).build(), { small } } }, { "spot", spotRoom(4) },
+    { "gloss", { litRoom(4, 1, 0.4).build(), { small } } },
     { "bands", { litRoom(4, 3).build(), { ball({ 2.4, 1.5, 1 }, 0.4, 4, grey(0.5), 3) } } },
     { "corner", { litRoom(4).build(), { block({ 0.2, 0.2, 0.2 }, { 0.2, 0.2, 0.2 }, 2) } } },
     { "buried", { litRoom(4).build(), { block({ 2.4, 1.5, 0 }, { 0.3, 0.3, 0.3 }, 2) } } },
@@ -213,17 +221,16 @@ inline std::vector<GatherTestScene> gatherScenes()
   ObjectBuilder points = variedRoom(4), strip = variedRoom(4), sheet;
   points.addPointLight({ 1, 1, 1.5 }, 30);
   points.addPointLight({ 3, 3, 2.5 }, 20);
-  scenes.push_back({ "points", { points.build(), { ball({ 2.4, 1.5, 1 }, 0.4, 4) } } });
+  scenes.push_back({ "points", { points.build(), { small } } });
   strip.addQuad({ 0.5, 1.2, 0.04 }, { 0, 1.6, 0 }, { 0.08, 0, 0.08 }, 1, 1, grey(0, 100));
   scenes.push_back({ "near lamp", { strip.build(), { ball({ 1.9, 2, 0.6 }, 0.4, 4) } } });
   sheet.addQuad({ -0.3, -0.3, 0 }, { 0.6, 0, 0.2 }, { 0, 0.6, 0.1 }, 4, 4, grey(0.5));
-  ObjectBuilder warm;
-  warm.addBox(box({ 0, 0, 0 }, { 4, 4, 3 }), 4, grey(0.5, 2), true);
-  warm.addQuad({ 1.2, 1.6, 2.9 }, { 0, 0.8, 0 }, { 1.2, 0, 0 }, 1, 1, grey(0, 60));
-  scenes.push_back({ "warm walls", { warm.build(), { ball({ 2.4, 1.5, 1 }, 0.4, 4) } } });
+  ObjectBuilder warm = plainRoom({ 4, 4, 3 }, 4, grey(0.5, 2));
+  addPanel(warm, { 1.2, 1.6, 2.9 }, 1.2, 0.8, 60);
+  scenes.push_back({ "warm walls", { warm.build(), { small } } });
   ObjectBuilder bulb = variedRoom(4);
   bulb.addSphere({ 2, 2, 2.8 }, 0.05, 8, grey(0.5, 500));
-  scenes.push_back({ "bulb", { bulb.build(), { ball({ 2.4, 1.5, 1 }, 0.4, 4) } } });
+  scenes.push_back({ "bulb", { bulb.build(), { small } } });
   scenes.push_back({ "sheet", { litRoom(4).build(), { sheet.build(shift({ 2.4, 1.5, 1 })) } } });
   return scenes;
 }

@@ -100,11 +100,7 @@ private:
 // many as take half of the time that is left.
 TEST(RepairBudget, WhatIsBegunIsFinished)
 {
-  ObjectBuilder room, ball;
-  room.addBox(box({ -2, -2, -2 }, { 2, 2, 2 }), 2, grey(0.95), true);
-  room.addPointLight({ 1.5, 1.5, 1.5 }, 3);
-  ball.addSphere({ 0, 0, 0 }, 0.7, 4, grey(0.95));
-  SceneObjects objects{ room.build(), { ball.build() } };
+  SceneObjects objects = ballInARoom(0.95, 0.95);
   EngineSettings settings = Shoot(500).budget(1e3);
   int some = 0;
   for (int jumpAt = 1; jumpAt <= 60; ++jumpAt)
@@ -122,7 +118,7 @@ TEST(RepairBudget, WhatIsBegunIsFinished)
     some += numberOfStale(engine) > 0;
     settings.repairTimeBudget = 0;
     engine.update(objects, settings, clock);
-    ASSERT_EQ(answerOf(engine, objects), freshAnswer(objects, settings));
+    ASSERT_TRUE(isAsFresh(engine));
     settings.repairTimeBudget = 1e3;
   }
   EXPECT_GT(some, 3);
@@ -171,12 +167,12 @@ TEST(RepairBudget, NothingIsStaleWhenAllIsShotAnew)
   ++settings.seed;
   engine.update(scene.objects(), settings, clock);
   EXPECT_EQ(numberOfStale(engine), 0u);
-  EXPECT_TRUE(answerOf(engine, scene.objects()) == freshAnswer(scene.objects(), settings));
+  EXPECT_TRUE(isAsFresh(engine));
   scene.nextFrame();
   settings.verify = false;
   engine.update(scene.objects(), settings, clock);
   EXPECT_EQ(numberOfStale(engine), 0u);
-  EXPECT_TRUE(answerOf(engine, scene.objects()) == freshAnswer(scene.objects(), settings));
+  EXPECT_TRUE(isAsFresh(engine));
 }
 
 TEST(RepairBudget, AnAbortIsNoEndOfABudget)
@@ -205,7 +201,7 @@ TEST(RepairBudget, AnAbortIsNoEndOfABudget)
     engine.update(scene.objects(), settings, clock);
     EXPECT_EQ(engine.statistics().shootSeconds > 0, isStopped) << stopAt;
     EXPECT_EQ(numberOfStale(engine), 0u);
-    EXPECT_TRUE(answerOf(engine, scene.objects()) == freshAnswer(scene.objects(), settings));
+    EXPECT_TRUE(isAsFresh(engine));
   }
 }
 

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Kit.h"
-#include "Surfaces/SceneCells.h"
-#include "Surfaces/SceneTriangles.h"
-
 #include "Meshes/SurfacePoint.h"
-#include "Surfaces/SceneCells.h"
+#include "Surfaces/SceneTriangles.h"
 
 namespace irradiance::test
 {
@@ -24,8 +21,7 @@ void expectNumbers(const SceneTriangles& triangles, const SceneObjects& objects)
       const TriangleId id{ i, k };
       ASSERT_EQ(triangles.numberOf(id), number);
       ASSERT_EQ(triangles.idOf(number), id);
-      const std::uint32_t cell = objects[i].material->cellOfTriangle[k];
-      const SceneCell own{ i, cell };
+      const SceneCell own{ i, objects[i].material->cellOfTriangle[k] };
       ASSERT_EQ(triangles.looks()[number].number(), cells[own]);
     }
   }
@@ -126,10 +122,8 @@ TEST(SceneTriangles, FollowTheScene)
 // So many triangles that an update can be cancelled before, among and after the looks.
 TEST(SceneTriangles, AreRightAfterACancelledUpdate)
 {
-  ObjectBuilder dull, bright;
-  dull.addSphere({ 0, 0, 0 }, 1, 60, grey(0.2));
-  bright.addSphere({ 0, 0, 0 }, 1, 70, grey(0.8));
-  SceneObjects objects{ dull.build(), { bright.build(), dull.build() } };
+  const SceneObject dull = ball({ 0, 0, 0 }, 1, 60, grey(0.2));
+  SceneObjects objects{ dull, { ball({ 0, 0, 0 }, 1, 70, grey(0.8)), dull } };
   ASSERT_GT(objects.staticObject.body->mesh().size(), 5000u);
   SceneTriangles triangles(objects);
   bool isCancelled = true;

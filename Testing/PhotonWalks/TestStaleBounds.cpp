@@ -40,8 +40,8 @@ public:
 struct Share
 {
   double ofFullRepair;
-  IrradianceEngine engine;
-  BoundCheck check;
+  UpdatedEngine engine = {};
+  BoundCheck check = {};
   double left = 0; ///< part of the walks left stale, mean over the frames
 };
 
@@ -50,29 +50,23 @@ void checkBounds(
 {
   const int frames = kIsSanitized ? 15 : 40;
   MovingScene scene(bands, isClosed, seed, isGlossy);
-  IrradianceEngine full, timed;
-  std::vector<Share> shares(3);
-  const double parts[] = { 0, 0.1, 0.5 };
-  for (std::size_t i = 0; i < shares.size(); ++i)
-  {
-    shares[i].ofFullRepair = parts[i];
-  }
-  Execution execution;
+  UpdatedEngine full, timed;
+  Share shares[] = { { 0 }, { 0.1 }, { 0.5 } };
   for (int frame = 0; frame < frames; ++frame)
   {
     scene.nextFrame();
-    full.update(scene.objects(), common, execution);
+    full.update(scene.objects(), common);
     TickingExecution clock;
     EngineSettings settings = common;
     settings.repairTimeBudget = 1e9;
     timed.update(scene.objects(), settings, clock);
-    ASSERT_TRUE(answerOf(timed, scene.objects(), common.separateSides) ==
-      answerOf(full, scene.objects(), common.separateSides));
+    const Answer expected = answerOf(full, scene.objects(), common.separateSides);
+    ASSERT_TRUE(answerOf(timed, scene.objects(), common.separateSides) == expected);
     for (Share& share : shares)
     {
       if (frame % 8 == 0) // a full repair now and then, so that at times few walks wait
       {
-        share.engine.update(scene.objects(), common, execution);
+        share.engine.update(scene.objects(), common);
         continue;
       }
       TickingExecution own;
@@ -90,7 +84,7 @@ void checkBounds(
     EXPECT_GT(share.left, 0.01);
     EXPECT_GT(share.check.largestLoss, 0.5) << "the bound says nothing";
     EXPECT_GT(share.check.largestGain, 0.3) << "the bound says nothing";
-    share.engine.update(scene.objects(), common, execution); // the budget is lifted
+    share.engine.update(scene.objects(), common); // the budget is lifted
     EXPECT_TRUE(answerOf(share.engine, scene.objects(), common.separateSides) ==
       answerOf(full, scene.objects(), common.separateSides));
   }
@@ -98,29 +92,24 @@ void checkBounds(
 
 TEST(RepairBudget, BoundsHoldInAnOpenRoom)
 {
-  Shoot settings(scaled(3000));
-  checkBounds(settings, 1, false, 31);
+  checkBounds(Shoot(scaled(3000)), 1, false, 31);
 }
 
 TEST(RepairBudget, BoundsHoldInColourWithSides)
 {
-  EngineSettings settings = Shoot(scaled(3000)).bySide().seeded(5);
-  checkBounds(settings, 3, true, 32);
+  checkBounds(Shoot(scaled(3000)).bySide().seeded(5), 3, true, 32);
 }
 
 // Walks that are still to be born count as stale.
 TEST(RepairBudget, BoundsHoldWithGatheredLight)
 {
-  EngineSettings settings = Shoot(scaled(3000)).gathered();
-  checkBounds(settings, 1, false, 34);
-  settings.separateSides = true;
-  checkBounds(settings, 3, true, 35);
+  checkBounds(Shoot(scaled(3000)).gathered(), 1, false, 34);
+  checkBounds(Shoot(scaled(3000)).gathered().bySide(), 3, true, 35);
 }
 
 TEST(RepairBudget, BoundsHoldWithGlossyCells)
 {
-  Shoot settings(scaled(1000));
-  checkBounds(settings, 1, true, 33, true);
+  checkBounds(Shoot(scaled(1000)), 1, true, 33, true);
 }
 
 // Where nothing escapes and all cells reflect alike, walks do what the bound assumes and attain it
@@ -129,31 +118,18 @@ TEST(RepairBudget, GainBoundIsReachedInAFurnace)
 {
   for (const double reflectance : { 0.0, 0.3, 0.8, 0.99 })
   {
-    ObjectBuilder room, ball;
-    room.addBox(box({ -2, -2, -2 }, { 2, 2, 2 }), 2, grey(reflectance), true);
-    room.addPointLight({ 1.5, 1.5, 1.5 }, 3);
-    ball.addSphere({ 0, 0, 0 }, 0.7, 4, grey(reflectance));
-    SceneObjects objects{ room.build(), { ball.build() } };
-    EngineSettings settings;
-    settings.numberOfWalks = 5000; // a few hundred become stale
-    settings.repairTimeBudget = kNoTime;
-    IrradianceEngine now, full;
-    Execution execution;
-    now.update(objects, settings, execution);
+    SceneObjects objects = ballInARoom(reflectance, reflectance);
+    const EngineSettings settings = Shoot(5000).budget(kNoTime); // a few hundred become stale
+    UpdatedEngine now(objects, settings);
     objects.dynamicObjects[0].worldFromObject = shift({ 0.4, -0.3, 0.2 });
-    now.update(objects, settings, execution);
+    now.update(objects, settings);
     ASSERT_EQ(now.balance().escaped[0], 0);
-    full.update(objects, settings, execution);
+    const UpdatedEngine full(objects, settings);
     double brought = 0;
-    for (std::uint32_t object = 0; object < 2; ++object)
-    {
-      for (std::size_t cell = 0; cell < objects[object].material->numberOfCells; ++cell)
-      {
-        brought +=
-          double(full.sums().sum({ object, cell }, 0) - now.sums().sum({ object, cell }, 0) +
-            onlySet(now).stale()->sums().sum({ object, cell }, 0));
-      }
-    }
+    now.cells().numbers().forEach([&](const SceneCell& cell) {
+      brought += full.sums().sum({ cell }, 0) - now.sums().sum({ cell }, 0) +
+        onlySet(now).stale()->sums().sum({ cell }, 0);
+    });
     EXPECT_GT(brought, 0);
     EXPECT_EQ(brought, now.walks().staleGainBound(0)) << "reflectance " << reflectance;
     // A walk survives with probability = reflectance: power / (1 - reflectance), within 5 standard
@@ -167,20 +143,13 @@ TEST(RepairBudget, GainBoundIsReachedInAFurnace)
 
 TEST(RepairBudget, NoGainBoundWhereNearlyAllIsReflected)
 {
-  ObjectBuilder room, ball;
-  room.addBox(box({ -2, -2, -2 }, { 2, 2, 2 }), 2, grey(0.5), true);
-  room.addPointLight({ 1.5, 1.5, 1.5 }, 3);
-  ball.addSphere({ 0, 0, 0 }, 0.7, 4, grey(0.999));
-  SceneObjects objects{ room.build(), { ball.build() } };
-  EngineSettings settings = Shoot(2000).budget(kNoTime);
-  Execution execution;
-  UpdatedEngine engine(objects, settings, execution);
+  SceneObjects objects = ballInARoom(0.5, 0.999);
+  UpdatedEngine engine(objects, Shoot(2000).budget(kNoTime));
   EXPECT_EQ(engine.walks().staleGainBound(0), 0);
   objects.dynamicObjects[0].worldFromObject = shift({ 0.4, -0.3, 0.2 });
-  engine.update(objects, settings, execution);
+  engine.update(objects, Shoot(2000).budget(kNoTime));
   EXPECT_EQ(engine.walks().staleGainBound(0), kInfinity);
-  settings.repairTimeBudget = 0;
-  engine.update(objects, settings, execution);
+  engine.update(objects, Shoot(2000));
   EXPECT_EQ(engine.walks().staleGainBound(0), 0);
 }
 
