@@ -64,25 +64,13 @@ inline double estimatedWattsOn(const IrradianceEngine& engine, std::uint32_t obj
   return watts;
 }
 
-/// Every cell emits what it does not reflect, 1 - reflectance, so E = 1 everywhere. With a mirror
-/// in part if `isGlossy`.
-inline SceneObject furnace(
-  ObjectBuilder builder, double reflectance, bool isGlossy, const AffineMap& pose = {})
+/// Every cell emits what it does not reflect, 1 - reflectance, so E = 1 everywhere.
+inline SceneObject furnace(ObjectBuilder builder, double reflectance, const AffineMap& pose = {})
 {
-  Material& material = builder.material();
-  std::fill(material.reflectance.begin(), material.reflectance.end(), reflectance);
-  std::vector<double>& exitance = builder.emission().exitance;
-  std::fill(exitance.begin(), exitance.end(), 1 - reflectance);
-  SceneObject object = builder.build(pose);
-  if (isGlossy)
-  {
-    Material glossy = *object.material;
-    std::fill(glossy.reflectance.begin(), glossy.reflectance.end(), 0.4 * reflectance);
-    glossy.setSpecular(std::vector<double>(glossy.reflectance.size(), 0.6 * reflectance),
-      std::vector<double>(glossy.numberOfCells, 5.0));
-    object.material = std::make_shared<Material>(glossy);
-  }
-  return object;
+  std::vector<double>& ofCells = builder.material().reflectance;
+  std::fill(ofCells.begin(), ofCells.end(), reflectance);
+  builder.emission().exitance.assign(ofCells.size(), 1 - reflectance);
+  return builder.build(pose);
 }
 
 /// Cells of two engines agree to 5.5 standard errors of both; returns how many have an error bar.

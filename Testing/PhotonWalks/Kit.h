@@ -7,11 +7,9 @@
 #include "DirectRuns.h"
 #include "EngineRun.h"
 #include "HistoryPhotons.h"
-#include "MovingScene.h"
 #include "Scenes.h"
 #include "TestScenes.h"
 #include "ThreadExecution.h"
-#include "ThreadRanks.h"
 #include "Views.h"
 
 #include "../RayCasting/RandomVectors.h"

@@ -42,6 +42,19 @@ inline void addPanel(
   room.addQuad(corner, { 0, y, 0 }, { x, 0, 0 }, 1, 1, grey(0, exitance));
 }
 
+/// Four tubes of many facets just below a ceiling at 3 m.
+inline void addTubes(ObjectBuilder& room)
+{
+  for (int tube = 0; tube < 4; ++tube)
+  {
+    room.addGrid(12, 4, grey(0.5, 100), [&](int i, int j) {
+      const double angle = M_PI / 6 * (i % 12);
+      return Vector3(
+        0.8 + 0.6 * j, 0.5 + tube + 0.02 * std::cos(angle), 2.85 + 0.02 * std::sin(angle));
+    });
+  }
+}
+
 /// A panel of 1.2 x .8 m below the ceiling: a cell more than the walls.
 inline ObjectBuilder litRoom(int n, int bands = 1, double specular = 0)
 {
@@ -113,6 +126,16 @@ inline SceneObject furnace(
   material.setSpecular(specular, chosen);
   object.material = std::make_shared<Material>(material);
   return object;
+}
+
+/// A furnace of 4 x 3 x 5 m, 4 x 4 cells a wall, with a ball of n bands in it.
+inline SceneObjects furnaceWithBall(unsigned seed, int n)
+{
+  RandomVectors random(seed);
+  ObjectBuilder thing;
+  thing.addSphere({ 0, 0, 0 }, 0.8, n, {});
+  const SceneObject room = furnace(plainRoom({ 4, 3, 5 }, 4, {}), random);
+  return { room, { furnace(thing, random, false, shift({ 1.5, 1.2, 2 })) } };
 }
 
 /// A light table of 2 m in the middle of a floor of 6 m, all at z = 0, a lamp in the lid of a box
@@ -205,8 +228,8 @@ inline std::vector<GatherTestScene> gatherScenes()
   insideOfFurnace.addSphere({ 0, 0, 0 }, 0.5, 4, {});
   std::vector<GatherTestScene> scenes{
     { "furnace",
-      { furnace(plainRoom({ 4, 3, 5 }, 3, {}), 0.6, false),
-        { furnace(insideOfFurnace, 0.7, false, shift({ 1, 1.5, 2 })) } },
+      { furnace(plainRoom({ 4, 3, 5 }, 3, {}), 0.6),
+        { furnace(insideOfFurnace, 0.7, shift({ 1, 1.5, 2 })) } },
       1 },
     { "area lamp", { litRoom(4).build(), { small } } }, { "spot", spotRoom(4) },
     { "gloss", { litRoom(4, 1, 0.4).build(), { small } } },
@@ -234,6 +257,125 @@ inline std::vector<GatherTestScene> gatherScenes()
   scenes.push_back({ "sheet", { litRoom(4).build(), { sheet.build(shift({ 2.4, 1.5, 1 })) } } });
   return scenes;
 }
+
+/**
+ * A room of 4 x 4 x 4 m with a lamp and a point light, and six dynamic objects: a rigid box, a
+ * sheared sphere, a mirrored box that sticks through a wall, a sphere that leaves the room and
+ * comes back, one that deforms, and one with isFlattened set. In each frame some of them rest. If
+ * `isGlossy`, the walls have a wide lobe, and the objects are mirrors in part.
+ */
+class MovingScene
+{
+public:
+  static constexpr int kObjects = 6;
+
+  MovingScene(int bands, bool isClosed, unsigned seed, bool isGlossy = false)
+    : bands_(bands)
+    , random_(seed)
+  {
+    if (isGlossy)
+    {
+      wallLook_.specular = { 0.3, 0.2, 0.4 };
+      wallLook_.exponent = 12;
+      objectLook_.specular = { 0.15, 0.7, 0.2 };
+    }
+    ObjectBuilder room(bands);
+    const Box walls = box({ 0, 0, 0 }, { 4, 4, 4 });
+    for (int side = 0; side < (isClosed ? 6 : 5); ++side)
+    {
+      room.addSide(walls, side, 3, wallLook_, true);
+    }
+    room.addQuad({ 1, 1, 3.75 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, { {}, { 3, 2, 1 } });
+    room.addPointLight({ 3, 1, 2 }, 2);
+    objects_.staticObject = room.build();
+    for (int i = 0; i < kObjects; ++i)
+    {
+      objects_.dynamicObjects.push_back(i == 4 ? deformed() : shape(i));
+    }
+    for (int i = 0; i < kObjects; ++i)
+    {
+      move(i);
+    }
+  }
+
+  const SceneObjects& objects() const { return objects_; }
+
+  /// Every object moves with probability 1/2.
+  void nextFrame()
+  {
+    for (int i = 0; i < kObjects; ++i)
+    {
+      if (random_.engine() % 2 == 0)
+      {
+        move(i);
+      }
+    }
+  }
+
+private:
+  SceneObject shape(int i)
+  {
+    ObjectBuilder builder(bands_);
+    if (i % 2 == 0)
+    {
+      builder.addBox(box({ -0.5, -0.4, -0.3 }, { 0.5, 0.4, 0.3 }), 2, objectLook_);
+    }
+    else
+    {
+      builder.addSphere({ 0, 0, 0 }, 0.5, 4, objectLook_);
+    }
+    return builder.build({}, i == 5);
+  }
+
+  /// The same cells with other points.
+  SceneObject deformed()
+  {
+    if (!deformingSurface_)
+    {
+      deformingSurface_ = shape(1).material;
+    }
+    ObjectBuilder builder(bands_);
+    builder.addSphere({ 0, 0, 0 }, random_.uniform(0.2, 0.6), 4, objectLook_);
+    SceneObject object = builder.build();
+    object.material = deformingSurface_;
+    return object;
+  }
+
+  void move(int i)
+  {
+    SceneObject& object = objects_.dynamicObjects[static_cast<std::size_t>(i)];
+    AffineMap& pose = object.worldFromObject;
+    pose.linear = random_.rotation();
+    pose.translation = Vector3(2, 2, 2) + 1.3 * random_.inCube();
+    switch (i)
+    {
+      case 1:
+        pose.linear(0, 1) += random_.uniform(); // shear
+        pose.linear.col(2) *= random_.uniform(0.5, 1.5);
+        break;
+      case 2:
+        pose.linear.col(0) *= -1; // mirrored
+        pose.translation[1] = random_.uniform(-0.2, 0.2);
+        break;
+      case 3:
+        pose.translation[0] += random_.engine() % 2 == 0 ? 100 : 0;
+        break;
+      case 4:
+        object = deformed();
+        object.worldFromObject = shift(Vector3(2, 2, 2) + random_.inCube());
+        break;
+      default:
+        break;
+    }
+  }
+
+  Look wallLook_{ { 0.5, 0.7, 0.3 }, {} };
+  Look objectLook_{ { 0.8, 0.2, 0.6 }, {} };
+  int bands_;
+  RandomVectors random_;
+  SceneObjects objects_;
+  std::shared_ptr<const Material> deformingSurface_;
+};
 
 }
 

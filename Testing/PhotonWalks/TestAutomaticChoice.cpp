@@ -205,14 +205,7 @@ TEST(AutomaticChoice, DrawsOnNoPhotonsFromAllOverAPart)
 TEST(AutomaticChoice, DrawsOnPhotonsWhereLampsAreHardToFind)
 {
   ObjectBuilder room;
-  for (int tube = 0; tube < 4; ++tube)
-  {
-    room.addGrid(12, 4, grey(0.5, 100), [&](int i, int j) {
-      const double angle = M_PI / 6 * (i % 12);
-      return Vector3(
-        0.8 + 0.6 * j, 0.5 + tube + 0.02 * std::cos(angle), 2.85 + 0.02 * std::sin(angle));
-    });
-  }
+  addTubes(room);
   expectChoice(chosen(roomWithPart(room, 0.5), settingsOf(100000)), CellEstimate::Spread, false);
   expectChoice(chosen(roomWithPart(room, 0.5), settingsOf(100000), { false, true }),
     CellEstimate::Spread, true);

@@ -2,7 +2,6 @@
 
 #include "Estimates/CellDiffusion.h"
 #include "Kit.h"
-#include "Simd/SimdLevel.h"
 
 namespace irradiance::test
 {
@@ -157,16 +156,14 @@ TEST(CellDiffusion, FieldsSideBySideAreThoseAlone)
     const CellDiffusion diffusion(surface.areas, surface.neighbours, 2, width);
     ASSERT_GT(diffusion.steps(), 0);
     const std::vector<Quanta> together = diffused(diffusion, fields);
-    limitSimd(SimdLevel::Plain);
-    EXPECT_EQ(diffused(diffusion, fields), together);
-    for (std::size_t i = 0; i < fields.size(); ++i)
+    for (const SimdLevel level : simdLevels())
     {
-      EXPECT_EQ(diffused(diffusion, { fields[i] })[0], together[i]);
-    }
-    limitSimd(SimdLevel::Avx512);
-    for (std::size_t i = 0; i < fields.size(); ++i)
-    {
-      EXPECT_EQ(diffused(diffusion, { fields[i] })[0], together[i]);
+      const SimdLimit limit(level);
+      EXPECT_EQ(diffused(diffusion, fields), together);
+      for (std::size_t i = 0; i < fields.size(); ++i)
+      {
+        EXPECT_EQ(diffused(diffusion, { fields[i] })[0], together[i]);
+      }
     }
   }
 }

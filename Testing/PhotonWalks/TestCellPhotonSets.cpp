@@ -58,9 +58,12 @@ private:
   std::vector<std::shared_ptr<const Material>> materials_;
 };
 
-EngineSettings settingsOf(std::uint32_t walks)
+CellPhotonSets filledFrom(const IrradianceEngine& engine)
 {
-  return Shoot(walks);
+  CellPhotonSets sets(engine.objects());
+  ThreadExecution threads(3);
+  sets.add(onlySet(engine).history(), 0, onlySet(engine).history().size(), threads);
+  return sets;
 }
 
 /// The photons on each cell, looked for one by one.
@@ -96,19 +99,17 @@ void expectEqual(const CellPhotonSets& sets, const Lists& lists, const SceneObje
 TEST(CellPhotonSets, AfterUpdatesTheyAreThoseOfTheHistory)
 {
   PartlyGlossyScene scene(71);
-  const EngineSettings settings = settingsOf(5000);
-  Execution serial;
+  const Shoot settings(5000);
   ThreadExecution threads(3);
-  UpdatedEngine engine(scene.objects(), settings, serial);
-  CellPhotonSets updated(scene.objects());
-  updated.add(onlySet(engine).history(), 0, onlySet(engine).history().size(), threads);
+  UpdatedEngine engine(scene.objects(), settings);
+  CellPhotonSets updated = filledFrom(engine);
   std::vector<Photon> photons = photonsOf(onlySet(engine).history());
   std::size_t changed = 0;
   for (int frame = 0; frame < 12; ++frame)
   {
     scene.nextFrame();
     const SceneObjects objects = scene.objects();
-    engine.update(objects, settings, serial);
+    engine.update(objects, settings);
     const std::vector<Photon> now = photonsOf(onlySet(engine).history());
     const PhotonChanges changes = changesBetween(photons, now);
     changed += changes.gone.size() + changes.arrived.size();
@@ -116,9 +117,7 @@ TEST(CellPhotonSets, AfterUpdatesTheyAreThoseOfTheHistory)
     photons = now;
     const Lists lists = listsOf(photons, objects);
     ASSERT_NO_FATAL_FAILURE(expectEqual(updated, lists, objects)) << "frame " << frame;
-    CellPhotonSets fresh(objects);
-    fresh.add(onlySet(engine).history(), 0, onlySet(engine).history().size(), serial);
-    ASSERT_NO_FATAL_FAILURE(expectEqual(fresh, lists, objects)) << "frame " << frame;
+    ASSERT_NO_FATAL_FAILURE(expectEqual(filledFrom(engine), lists, objects)) << "frame " << frame;
   }
   EXPECT_GT(changed, photons.size());
 }
@@ -126,18 +125,15 @@ TEST(CellPhotonSets, AfterUpdatesTheyAreThoseOfTheHistory)
 TEST(CellPhotonSets, OnlySpecularCellsArePaidFor)
 {
   const MovingScene matte(1, true, 73);
-  Execution serial;
-  UpdatedEngine engine(matte.objects(), settingsOf(5000), serial);
-  CellPhotonSets nothing(matte.objects());
-  nothing.add(onlySet(engine).history(), 0, onlySet(engine).history().size(), serial);
+  UpdatedEngine engine(matte.objects(), Shoot(5000));
+  const CellPhotonSets nothing = filledFrom(engine);
   EXPECT_TRUE(nothing.isEmpty());
   // Even of the objects, nothing but that they have none.
   EXPECT_LE(nothing.bytes(), sizeof(nothing) + 64 * matte.objects().size());
 
   const SceneObjects objects = PartlyGlossyScene(73).objects();
-  engine.update(objects, settingsOf(40000), serial);
-  CellPhotonSets sets(objects);
-  sets.add(onlySet(engine).history(), 0, onlySet(engine).history().size(), serial);
+  engine.update(objects, Shoot(40000));
+  const CellPhotonSets sets = filledFrom(engine);
   std::size_t cells = 0, specular = 0, photons = 0;
   CellNumbers(objects).forEach([&](const SceneCell& cell) {
     ++cells;

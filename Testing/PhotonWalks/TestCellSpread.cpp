@@ -129,11 +129,7 @@ TEST(CellSpread, DoesNotLeak)
 TEST(CellSpread, DoesNotDependOnTheOrderOfCells)
 {
   RandomVectors random(4);
-  const SceneObject sphere = [] {
-    ObjectBuilder builder;
-    builder.addSphere({ 0, 0, 0 }, 1, 12, grey(0.5));
-    return builder.build();
-  }();
+  const SceneObject sphere = ball({ 0, 0, 0 }, 1, 12);
   const std::size_t cells = sphere.material->numberOfCells;
   std::vector<std::uint32_t> order(cells);
   std::iota(order.begin(), order.end(), 0u);

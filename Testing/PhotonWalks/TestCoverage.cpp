@@ -42,12 +42,7 @@ double dark(const Vector3& /*point*/)
 
 KnownScene furnaceScene()
 {
-  RandomVectors random(91);
-  ObjectBuilder thing;
-  thing.addSphere({ 0, 0, 0 }, 0.8, 5, {});
-  const SceneObjects objects{ furnace(plainRoom({ 4, 3, 5 }, 4, {}), random),
-    { furnace(thing, random, false, shift({ 1.5, 1.2, 2 })) } };
-  return { objects, { std::vector<double>(96, 1.0), std::vector<double>(50, 1.0) } };
+  return { furnaceWithBall(91, 5), { std::vector<double>(96, 1.0), std::vector<double>(50, 1.0) } };
 }
 
 /// A shining square and a wall that shares an edge with it.

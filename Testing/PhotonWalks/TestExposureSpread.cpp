@@ -73,6 +73,7 @@ struct Dose
     }
   }
 
+  double error(std::size_t cell) const { return sums.standardError(cell, exposure[cell]); }
   ExposedSide side() { return { &exposure, &sums }; }
   void spread(const ExposedSurface& surface, double photons)
   {
@@ -123,20 +124,15 @@ TEST(ExposureSpread, ConservesEnergyInEachBand)
   dose.add([random = std::mt19937_64(1)](std::size_t, std::size_t cell, std::size_t band) mutable {
     return double(random() % (1 + cell % 7 * (band + 1)));
   });
-  const std::vector<double> before = dose.exposure;
-  std::vector<std::vector<double>> energies;
-  for (const std::size_t band : { 0u, 1u, 2u })
-  {
-    energies.push_back(dose.energies(band));
-  }
+  Dose before = dose;
   dose.spread(squares(30), 2000);
-  EXPECT_NE(dose.exposure, before);
+  EXPECT_NE(dose.exposure, before.exposure);
   for (const std::size_t band : { 0u, 1u, 2u })
   {
-    const std::vector<double> after = dose.energies(band);
+    const std::vector<double> after = dose.energies(band), expected = before.energies(band);
     for (std::size_t i = 0; i < after.size(); ++i)
     {
-      EXPECT_NEAR(after[i], energies[band][i], 1e-12 * energies[band][i]) << band << " " << i;
+      EXPECT_NEAR(after[i], expected[i], 1e-12 * expected[i]) << band << " " << i;
     }
   }
 }
@@ -177,9 +173,8 @@ TEST(ExposureSpread, LeavesCellsWithEnoughPhotons)
   for (std::size_t i = 0; i < 50; ++i)
   {
     EXPECT_EQ(dose.exposure[i], before.exposure[i]);
-    const auto errorOf = [i](const Dose& of) { return of.sums.standardError(i, of.exposure[i]); };
-    EXPECT_EQ(std::isnan(errorOf(dose)), std::isnan(errorOf(before))) << i;
-    EXPECT_TRUE(std::isnan(errorOf(before)) || errorOf(dose) == errorOf(before)) << i;
+    EXPECT_EQ(std::isnan(dose.error(i)), std::isnan(before.error(i))) << i;
+    EXPECT_TRUE(std::isnan(before.error(i)) || dose.error(i) == before.error(i)) << i;
   }
   EXPECT_NE(dose.exposure[60], before.exposure[60]);
 }
@@ -200,8 +195,9 @@ TEST(ExposureSpread, BringsTheNoiseOfThePhotonsAskedFor)
     square += squaredDeviation(dose.exposure, mean * kPhoton) / 4;
     for (std::size_t i = 0; i < dose.exposure.size(); ++i)
     {
-      const double error = dose.sums.standardError(i, dose.exposure[i]);
-      claimed += std::isnan(error) ? 0 : std::pow(error / (mean * kPhoton), 2) / (4 * 48 * 48);
+      claimed += std::isnan(dose.error(i))
+        ? 0
+        : std::pow(dose.error(i) / (mean * kPhoton), 2) / (4 * 48 * 48);
     }
   }
   EXPECT_GT(square, 1 / n / 1.7);
@@ -271,11 +267,11 @@ TEST(ExposureSpread, HasIntervalsThatHoldTheTruth)
   {
     Dose dose(1600);
     dose.add(poisson(2, 100 + seed));
-    EXPECT_TRUE(std::isnan(dose.sums.standardError(0, dose.exposure[0])));
+    EXPECT_TRUE(std::isnan(dose.error(0)));
     dose.spread(squares(40), 100);
     for (std::size_t i = 0; i < dose.exposure.size(); ++i)
     {
-      intervals.add(dose.exposure[i] - 2 * kPhoton, dose.sums.standardError(i, dose.exposure[i]));
+      intervals.add(dose.exposure[i] - 2 * kPhoton, dose.error(i));
     }
   }
   intervals.expectHonest();
@@ -294,7 +290,7 @@ TEST(ExposureSpread, KnowsNoErrorOfFewPhotons)
   EXPECT_GT(dose.exposure[399], 0);
   for (std::size_t i = 0; i < 400; ++i)
   {
-    EXPECT_TRUE(std::isnan(dose.sums.standardError(i, dose.exposure[i])));
+    EXPECT_TRUE(std::isnan(dose.error(i)));
   }
 }
 

@@ -128,8 +128,8 @@ TEST(FinalGatherEstimator, ErrorBarsKnowTheNoiseOfWhatIsRead)
 {
   ObjectBuilder thing;
   thing.addSphere({ 0, 0, 0 }, 0.5, 4, {});
-  const SceneObjects objects{ furnace(plainRoom({ 8, 8, 8 }, 3, {}), 0.8, false),
-    { furnace(thing, 0.5, false, shift({ 4, 4, 4 })) } };
+  const SceneObjects objects{ furnace(plainRoom({ 8, 8, 8 }, 3, {}), 0.8),
+    { furnace(thing, 0.5, shift({ 4, 4, 4 })) } };
   EngineSettings settings = gathering(4000);
   settings.replicates = 16;
   double squares = 0; // of differences, in standard errors

@@ -1,26 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectLight/LampChoice.h"
 
-#include "TestScenes.h"
+#include "Kit.h"
 
-#include <gtest/gtest.h>
-
-#include <map>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
 /// A square of `edge` x `edge` lamps in the ceiling, of 1 to 10 W/m2, and a point light.
 LightTable manyLights(int edge)
 {
-  test::ObjectBuilder room;
+  ObjectBuilder room;
   for (int i = 0; i < edge * edge; ++i)
   {
-    room.addQuad({ 0.1 * (i % edge), 0.1 * (i / edge), 3 }, { 0, 0.1, 0 }, { 0.1, 0, 0 }, 1, 1,
-      test::grey(0, 1 + i % 10));
+    addPanel(room, { 0.1 * (i % edge), 0.1 * (i / edge), 3 }, 0.1, 0.1, 1 + i % 10);
   }
   room.addPointLight({ 1, 1, 1 }, 0.5);
   return LightTable({ room.build(), {} }, 1000);
@@ -34,8 +28,6 @@ CellShape cellAt(const Vector3& center, double radius)
   cell.normal = Vector3(0, 0, 1);
   cell.area = radius * radius;
   return cell;
-}
-
 }
 
 // Over evenly spaced samples each lamp is chosen as often as its probability says, and the
@@ -81,12 +73,11 @@ TEST(LampTree, EachLampIsChosenAsOftenAsItsProbability)
 // lamps in the same tree add up to rounds nothing of them away.
 TEST(LampTree, AmongFaintLampsTheChoiceIsByTheirFlux)
 {
-  test::ObjectBuilder room;
+  ObjectBuilder room;
   for (int i = 0; i < 64; ++i)
   {
-    room.addQuad({ 0.1 * i, 0, 3 }, { 0, 0.1, 0 }, { 0.1, 0, 0 }, 1, 1, test::grey(0, 1));
-    room.addQuad({ 1000 + 0.1 * i, 0, 3 }, { 0, 0.1, 0 }, { 0.1, 0, 0 }, 1, 1,
-      test::grey(0, 1e-30 * (1 + i % 3)));
+    addPanel(room, { 0.1 * i, 0, 3 }, 0.1, 0.1, 1);
+    addPanel(room, { 1000 + 0.1 * i, 0, 3 }, 0.1, 0.1, 1e-30 * (1 + i % 3));
   }
   const LightTable lights({ room.build(), {} }, 1000);
   const LampPieces lamps(lights);
@@ -127,4 +118,5 @@ TEST(LampTree, ACellFindsTheLampsThatAreNear)
   EXPECT_GT(near, 0.5 * kSamples);
 }
 
+}
 }

@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Shooting/WalkStages.h"
+#include "FrontWorld.h"
+#include "Kit.h"
 
-#include "TestScenes.h"
-
-#include <gtest/gtest.h>
-
-#include <numeric>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
-
-using test::grey;
-using test::ObjectBuilder;
 
 SceneObjects onlyStatic(const ObjectBuilder& builder)
 {
@@ -26,25 +17,16 @@ struct Starts
   std::vector<Ray> rays;
   std::vector<Power> powers;
 
-  Starts(const SceneObjects& objects, const LightTable& table, std::uint32_t walks,
-    std::uint64_t seed = 1)
-    : rays(walks)
+  Starts(const SceneObjects& objects, std::uint32_t walks, std::uint64_t seed = 1)
   {
-    const SobolSequence samples(seed);
-    const WalkSampler sampler(objects, table, samples);
-    const SceneTriangles triangles(objects);
-    const WalkStages stages(sampler, triangles, table, samples);
+    const FrontWorld world(objects, WalkPlan(walks, walks, 1), seed);
     WalkFront front;
-    front.reserve(walks, sampler.bands());
-    front.size = walks;
-    std::iota(front.walk.data(), front.walk.data() + walks, 0u);
-    stages.start(front);
+    world.enter(front, 0, walks);
+    world.stages().start(front);
     for (std::uint32_t walk = 0; walk < walks; ++walk)
     {
-      rays[walk] = { { front.originX[walk], front.originY[walk], front.originZ[walk] },
-        { front.directionX[walk], front.directionY[walk], front.directionZ[walk] },
-        triangles.idOf(front.start[walk]) };
-      powers.push_back(sampler.powerOf(walk));
+      rays.push_back(world.rayOf(front, walk));
+      powers.push_back(world.sampler().powerOf(walk));
     }
   }
 
@@ -59,8 +41,6 @@ struct Starts
   }
 };
 
-}
-
 TEST(LightTable, EveryWalkOfOneBandStartsWithTheSameQuanta)
 {
   for (const double flux : { 1.0, 10000.0, 0.1, M_PI, 3e-20, 7e25 })
@@ -72,7 +52,7 @@ TEST(LightTable, EveryWalkOfOneBandStartsWithTheSameQuanta)
     {
       const LightTable table(onlyStatic(builder), walks);
       EXPECT_EQ(table.flux(), flux + 0.3 * flux);
-      EXPECT_EQ(Starts(onlyStatic(builder), table, walks).total(),
+      EXPECT_EQ(Starts(onlyStatic(builder), walks).total(),
         (Power{ { walks * table.quantaPerWalk(), 0, 0 } }));
     }
   }
@@ -105,7 +85,7 @@ TEST(LightTable, LightsAreChosenInProportionToFlux)
   for (std::uint64_t seed = 1; seed <= 5; ++seed)
   {
     std::array<int, 6> counts{};
-    for (const Ray& ray : Starts(objects, table, 8192, seed).rays)
+    for (const Ray& ray : Starts(objects, 8192, seed).rays)
     {
       ++counts[static_cast<std::size_t>(ray.origin[0])];
     }
@@ -118,10 +98,10 @@ TEST(LightTable, CellsEmitFromTheirFrontInTheirColour)
   ObjectBuilder builder(3);
   builder.addQuad({ 1, 1, 2 }, { 0, 2, 0 }, { 3, 0, 0 }, 2, 2, { {}, { 4, 2, 1 } }); // looks down
   builder.addQuad({ 1, 1, 5 }, { 3, 0, 0 }, { 0, 2, 0 }, 1, 1, grey(0.5));
-  const SceneObjects objects{ test::nothing(3), { builder.build(test::shift({ 10, 0, 0 })) } };
+  const SceneObjects objects{ nothing(3), { builder.build(shift({ 10, 0, 0 })) } };
   const LightTable table(objects, 1000);
   ASSERT_EQ(table.lights().size(), 8u);
-  const Starts starts(objects, table, 1000, 3);
+  const Starts starts(objects, 1000, 3);
   for (const Ray& ray : starts.rays)
   {
     ASSERT_LT(ray.direction[2], 0);
@@ -148,15 +128,16 @@ TEST(LightTable, CellsEmitFromTheirFrontInTheirColour)
 TEST(LightTable, TablesAreEqualWhenTheyStartTheSameWalks)
 {
   ObjectBuilder builder;
-  builder.addBox(test::box({ 0, 0, 0 }, { 1, 1, 1 }), 1, grey(0, 1));
+  builder.addBox(box({ 0, 0, 0 }, { 1, 1, 1 }), 1, grey(0, 1));
   const SceneObject lamp = builder.build();
-  const SceneObjects objects{ test::nothing(), { lamp } };
+  const SceneObjects objects{ nothing(), { lamp } };
   SceneObjects moved = objects;
   moved.dynamicObjects[0].worldFromObject.translation[1] = 1e-9;
   EXPECT_TRUE(LightTable(objects, 100) == LightTable(objects, 100));
   EXPECT_FALSE(LightTable(objects, 100) == LightTable(objects, 200)) << "other quanta";
   EXPECT_FALSE(LightTable(objects, 100) == LightTable(moved, 100));
-  EXPECT_TRUE(LightTable({ test::nothing(), {} }, 100).isEmpty());
+  EXPECT_TRUE(LightTable({ nothing(), {} }, 100).isEmpty());
 }
 
+}
 }

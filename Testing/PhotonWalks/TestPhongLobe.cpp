@@ -55,6 +55,14 @@ auto integral(
   return sum;
 }
 
+/// The samples of a walk at its first bounce.
+LobeSample lobeSample(const SobolSequence& samples, std::uint32_t walk)
+{
+  return { samples.sample(walk, 1, SampleUse::Direction),
+    samples.sample(walk, 1, SampleUse::Acceptance)[0],
+    samples.sample(walk, 1, SampleUse::Compensation) };
+}
+
 Vector3 toLightAt(double cosine)
 {
   return { std::sqrt(1 - cosine * cosine), 0, cosine };
@@ -114,10 +122,7 @@ TEST(PhongLobe, SamplesHaveTheMeanDirectionOfTheLobe)
       constexpr std::uint32_t kSamples = 1u << 19;
       for (std::uint32_t i = 0; i < kSamples; ++i)
       {
-        const Vector3 out = lobe.sample(normal, -toLight,
-          { samples.sample(i, 1, SampleUse::Direction),
-            samples.sample(i, 1, SampleUse::Acceptance)[0],
-            samples.sample(i, 1, SampleUse::Compensation) });
+        const Vector3 out = lobe.sample(normal, -toLight, lobeSample(samples, i));
         ASSERT_GT(out.dot(normal), 0);
         ASSERT_NEAR(out.norm(), 1, 1e-12);
         mean += square(out) / kSamples;
@@ -148,13 +153,9 @@ TEST(PhongLobe, LargeExponentsComeCloseToAMirror)
   for (std::uint32_t i = 0; i < 10000; ++i)
   {
     const Vector3 toLight = toLightAt(0.01 + 0.99 * samples.sample(i, 0, SampleUse::Position)[0]);
-    const Vector3 out = lobe.sample({ 0, 0, 1 }, -toLight,
-      { samples.sample(i, 1, SampleUse::Direction), samples.sample(i, 1, SampleUse::Acceptance)[0],
-        samples.sample(i, 1, SampleUse::Compensation) });
-    if (samples.sample(i, 1, SampleUse::Acceptance)[0] < 0.99)
-    {
-      ASSERT_LE((out - Vector3(-toLight[0], 0, toLight[2])).norm(), 1e-5);
-    }
+    const Vector3 out = lobe.sample({ 0, 0, 1 }, -toLight, lobeSample(samples, i));
+    ASSERT_TRUE(samples.sample(i, 1, SampleUse::Acceptance)[0] >= 0.99 ||
+      (out - Vector3(-toLight[0], 0, toLight[2])).norm() <= 1e-5);
   }
 }
 

@@ -165,11 +165,7 @@ TEST(CellSpread, ShootsNothingAnew)
 // the share of intervals that hold the truth is off by 0.04 once in 10^5.
 TEST(CellSpread, IntervalsHoldTheTruth)
 {
-  RandomVectors random(92);
-  ObjectBuilder thing;
-  thing.addSphere({ 0, 0, 0 }, 0.8, 20, {});
-  const SceneObjects objects{ furnace(plainRoom({ 4, 3, 5 }, 4, {}), random),
-    { furnace(thing, random, false, shift({ 1.5, 1.2, 2 })) } };
+  const SceneObjects objects = furnaceWithBall(92, 20);
   const std::vector<double> areas = cellAreas(objects.dynamicObjects[0]);
   EngineSettings settings = spreading(40000, 150);
   settings.replicates = 16;
