@@ -47,34 +47,22 @@ TEST(CellNeighbours, OfAGridOfRectangles)
 }
 
 // The middle of a triangle lies a third of its height behind each edge.
-TEST(CellNeighbours, OfTwoTriangles)
+TEST(CellNeighbours, EndAtCreasesAndKnowWhereFrontAndBackSwap)
 {
-  const std::vector<CellNeighbours> pairs = neighboursOf(foldedBy(20));
-  ASSERT_EQ(pairs.size(), 1u);
-  EXPECT_NEAR(pairs[0].conductance, 1 / (2.0 / 3), 1e-12);
-}
-
-TEST(CellNeighbours, EndAtCreases)
-{
-  for (const double degrees : { 0.0, 34.9, -34.9 })
+  for (const double degrees : { 0.0, 20.0, 34.9, -34.9 })
   {
-    EXPECT_EQ(neighboursOf(foldedBy(degrees)).size(), 1u) << degrees;
-    EXPECT_EQ(neighboursOf(foldedBy(degrees, true)).size(), 1u) << degrees;
+    for (const bool isTurned : { false, true })
+    {
+      const std::vector<CellNeighbours> pairs = neighboursOf(foldedBy(degrees, isTurned));
+      ASSERT_EQ(pairs.size(), 1u) << degrees;
+      EXPECT_EQ(pairs[0].isTurned, isTurned) << degrees;
+      EXPECT_NEAR(pairs[0].conductance, 1 / (2.0 / 3), 1e-12) << degrees;
+    }
   }
   for (const double degrees : { 35.1, -35.1, 90.0, -90.0, 179.0, 180.0 })
   {
     EXPECT_EQ(neighboursOf(foldedBy(degrees)).size(), 0u) << degrees;
     EXPECT_EQ(neighboursOf(foldedBy(degrees, true)).size(), 0u) << degrees;
-  }
-}
-
-TEST(CellNeighbours, KnowWhereFrontAndBackSwap)
-{
-  for (const bool isTurned : { false, true })
-  {
-    const std::vector<CellNeighbours> pairs = neighboursOf(foldedBy(10, isTurned));
-    ASSERT_EQ(pairs.size(), 1u);
-    EXPECT_EQ(pairs[0].isTurned, isTurned);
   }
 }
 

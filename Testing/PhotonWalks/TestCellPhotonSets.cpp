@@ -9,21 +9,21 @@ namespace
 
 /// A moving scene in which every third cell is specular, each in one band alone. The third object
 /// has no specular cell.
-class PartlyGlossyScene
+class PartlyGlossyScene : public MovingScene
 {
 public:
   explicit PartlyGlossyScene(unsigned seed)
-    : scene_(3, false, seed, true)
+    : MovingScene(3, false, seed, true)
   {
-    for (std::uint32_t object = 0; object < scene_.objects().size(); ++object)
+    for (std::uint32_t object = 0; object <= kObjects; ++object)
     {
-      materials_.push_back(partlyGlossy(*scene_.objects()[object].material, object != 2));
+      materials_.push_back(partlyGlossy(*MovingScene::objects()[object].material, object != 2));
     }
   }
 
   SceneObjects objects() const
   {
-    SceneObjects objects = scene_.objects();
+    SceneObjects objects = MovingScene::objects();
     objects.staticObject.material = materials_[0];
     for (std::size_t i = 0; i < objects.dynamicObjects.size(); ++i)
     {
@@ -31,7 +31,6 @@ public:
     }
     return objects;
   }
-  void nextFrame() { scene_.nextFrame(); }
 
 private:
   static std::shared_ptr<const Material> partlyGlossy(Material material, bool hasGloss)
@@ -54,7 +53,6 @@ private:
     return std::make_shared<const Material>(std::move(material));
   }
 
-  MovingScene scene_;
   std::vector<std::shared_ptr<const Material>> materials_;
 };
 

@@ -138,9 +138,9 @@ TEST(OutgoingRadiance, ALobeReflectsAStripAndManyLampsAsTheDefinitionSays)
 }
 
 /// Each wall has another lobe, one is a mirror; all emit what they absorb. A body stands in it.
-SceneObjects furnace(int bands = 1)
+SceneObjects furnace()
 {
-  ObjectBuilder room(bands), body(bands);
+  ObjectBuilder room, body;
   const double exponents[] = { kInfinity, 0, 1, 6, 40, 1000 };
   for (int side = 0; side < 6; ++side)
   {

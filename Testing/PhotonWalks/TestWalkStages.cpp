@@ -304,46 +304,6 @@ TEST(WalkStages, ReplicatesAreThoseOfTheDivision)
   }
 }
 
-// Photon by photon, as CellSums itself numbers its sums: rounds, replicates, sides and bands.
-TEST(WalkStages, PhotonsAreTalliedWhereCellSumsKeepsThem)
-{
-  const FrontWorld world(someTriangles(), WalkPlan(5000, 5000, 1), 11);
-  const WalkPlan plans[] = { WalkPlan(1000, 1000, 1), WalkPlan(100, 1000, 1),
-    WalkPlan(1000, 1000, 16), WalkPlan(100, 1000, 7) };
-  for (const SimdLevel level : simdLevels())
-  {
-    const SimdLimit limit(level);
-    for (const WalkPlan& plan : plans)
-    {
-      for (const std::size_t photons : { 1u, 100000u })
-      {
-        WalkFront front;
-        fill(front, world, Bounces::Mixed, 0);
-        const std::size_t rounds = plan.rounds().size();
-        CellSums sums(world.objects(), plan, rounds), expected(world.objects(), plan, rounds);
-        PowerBalance balance;
-        std::vector<Deposit> deposits;
-        const Power photon{ { 1000 } };
-        FrontTally(world.triangles(), sums, balance, photon, photons).receive(front);
-        for (std::size_t i = 0; i < kFrontWalks; ++i)
-        {
-          if (front.hit[i] != WalkFront::kNone)
-          {
-            const SceneCell cell = expected.cellOf(world.triangles().idOf(front.hit[i]));
-            expected.collect(
-              expected.slotOf(front.walk[i], cell), front.hitSide[i] != 0, photon, 1, deposits);
-          }
-        }
-        expected.add(deposits);
-        EXPECT_EQ(balance.absorbed, static_cast<std::int64_t>(deposits.size()) * photon);
-        EXPECT_EQ(
-          balance.escaped, static_cast<std::int64_t>(kFrontWalks - deposits.size()) * photon);
-        expectEqual(sums, expected);
-      }
-    }
-  }
-}
-
 // A direction may graze by less than its rounding to float.
 TEST(WalkStages, RoundedDirectionsStayOutOfTheSurface)
 {
