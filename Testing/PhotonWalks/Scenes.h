@@ -2,7 +2,7 @@
 #ifndef irradiance_test_Scenes_h
 #define irradiance_test_Scenes_h
 
-#include "DirectRuns.h"
+#include "TestScenes.h"
 
 #include "../RayCasting/RandomVectors.h"
 
@@ -92,6 +92,15 @@ inline SceneObjects inTwoGroups(const SceneObjects& objects)
   SceneObjects grouped = objects;
   grouped.staticObject.emission = std::make_shared<const Emission>(std::move(emission));
   return grouped;
+}
+
+/// Every cell emits what it does not reflect, 1 - reflectance, so E = 1 everywhere.
+inline SceneObject furnace(ObjectBuilder builder, double reflectance, const AffineMap& pose = {})
+{
+  std::vector<double>& ofCells = builder.material().reflectance;
+  std::fill(ofCells.begin(), ofCells.end(), reflectance);
+  builder.emission().exitance.assign(ofCells.size(), 1 - reflectance);
+  return builder.build(pose);
 }
 
 /// Every cell has a reflectance of its own in each band and emits what it does not reflect, so that

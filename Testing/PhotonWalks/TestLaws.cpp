@@ -251,9 +251,8 @@ TEST(UpdateEqualsRebuild, ThereAndBackRestoresEveryBit)
   const int frames = kIsSanitized ? 250 : 10000;
   MovingScene scene(1, false, 23);
   SceneObjects objects = scene.objects();
-  Shoot settings(100);
-  IrradianceEngine engine;
-  Execution execution;
+  const Shoot settings(100);
+  UpdatedEngine engine;
   const auto pose = [&](int frame) {
     for (std::size_t i = 0; i < 3; ++i)
     {
@@ -264,17 +263,17 @@ TEST(UpdateEqualsRebuild, ThereAndBackRestoresEveryBit)
     }
   };
   pose(0);
-  engine.update(objects, settings, execution);
+  engine.update(objects, settings);
   const Answer first = answerOf(engine, objects);
   std::int64_t invalid = 0;
   for (int step = 1; step <= 2 * frames; ++step)
   {
     pose(step <= frames ? step : 2 * frames - step);
-    engine.update(objects, settings, execution);
+    engine.update(objects, settings);
     invalid += engine.statistics().invalidWalks;
   }
   EXPECT_TRUE(answerOf(engine, objects) == first);
-  EXPECT_TRUE(freshAnswer(objects, settings) == first);
+  EXPECT_TRUE(isAsFresh(engine));
   EXPECT_GT(invalid, frames);
 }
 
@@ -286,38 +285,33 @@ TEST(UpdateEqualsRebuild, SignOfAZeroInAPose)
   room.addPointLight({ 1, 1, 1 }, 1);
   wall.addQuad({ -1, 0, 0 }, { 1, 0, 0 }, { 0, 0, 1 }, 2, 2, grey(0.9));
   wall.addQuad({ 0, -1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, 2, 2, grey(0.9));
-  Shoot settings(2000);
+  const Shoot settings(2000);
   SceneObjects objects{ room.build(), { wall.build() } };
   for (unsigned signs = 0; signs < 4096; signs += 31)
   {
-    IrradianceEngine engine;
-    Execution execution;
     AffineMap& pose = objects.dynamicObjects[0].worldFromObject;
     pose = {};
-    engine.update(objects, settings, execution);
+    UpdatedEngine engine(objects, settings);
     for (int i = 0; i < 12; ++i)
     {
       double& entry = i < 9 ? pose.linear(i / 3, i % 3) : pose.translation[i - 9];
       entry = entry == 0 && (signs >> i & 1u) != 0 ? -0.0 : entry;
     }
-    engine.update(objects, settings, execution);
-    ASSERT_TRUE(answerOf(engine, objects) == freshAnswer(objects, settings)) << "signs " << signs;
+    engine.update(objects, settings);
+    ASSERT_TRUE(isAsFresh(engine)) << "signs " << signs;
   }
 }
 
 TEST(SameBits, SidesAddUpToTheSum)
 {
   MovingScene scene(3, false, 42);
-  EngineSettings together, apart;
-  together.numberOfWalks = apart.numberOfWalks = scaled(10000);
-  apart.separateSides = true;
-  IrradianceEngine a, b;
-  Execution execution;
+  const EngineSettings together = Shoot(scaled(10000)), apart = Shoot(scaled(10000)).bySide();
+  UpdatedEngine a, b;
   double back = 0;
   for (int frame = 0; frame < 5; ++frame, scene.nextFrame())
   {
-    a.update(scene.objects(), together, execution);
-    b.update(scene.objects(), apart, execution);
+    a.update(scene.objects(), together);
+    b.update(scene.objects(), apart);
     a.cells().numbers().forEach([&](const SceneCell& cell) {
       for (int band = 0; band < 3; ++band)
       {
@@ -327,7 +321,7 @@ TEST(SameBits, SidesAddUpToTheSum)
         back += ofBack;
       }
     });
-    a.update(scene.objects(), apart, execution);
+    a.update(scene.objects(), apart);
     ASSERT_EQ(a.statistics().shootSeconds, 0) << "sides are always known";
     ASSERT_EQ(a.statistics().repairedSegments, 0);
     ASSERT_TRUE(answerOf(a, scene.objects(), true) == answerOf(b, scene.objects(), true));

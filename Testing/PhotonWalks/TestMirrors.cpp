@@ -25,15 +25,8 @@ void addHalf(ObjectBuilder& builder, bool isMirrored)
   add(at(0, 0, 0), at(0, 0, 2.5), at(2, 0, 0), wall);
   add(at(0, 3, 0), at(2, 3, 0), at(0, 3, 2.5), wall);
   add(at(1.2, 0.5, 2.4), at(1.2, 1.3, 2.4), at(1.8, 0.5, 2.4), grey(0, 10));
-  const Box thing = box({ 0.8, 1.8, 0.4 }, { 1.3, 2.2, 0.9 });
-  if (isMirrored)
-  {
-    builder.addBox(box({ -1.3, 1.8, 0.4 }, { -0.8, 2.2, 0.9 }), 1, wall);
-  }
-  else
-  {
-    builder.addBox(thing, 1, wall);
-  }
+  const double near = isMirrored ? 1.3 : 0.8, far = isMirrored ? 0.8 : 1.3;
+  builder.addBox(box(at(near, 1.8, 0.4), at(far, 2.2, 0.9)), 1, wall);
 }
 
 constexpr std::size_t kCellsOfHalf = 12; ///< of a half
@@ -42,16 +35,12 @@ constexpr std::size_t kCellsOfHalf = 12; ///< of a half
 std::vector<ReplicateMean> wattsOfHalf(const SceneObjects& objects, std::uint32_t lamps)
 {
   std::vector<ReplicateMean> watts(kCellsOfHalf);
-  for (int seed = 1; seed <= 16; ++seed)
-  {
-    EngineSettings settings =
-      Shoot(lamps * scaled(65536)).seeded(static_cast<std::uint64_t>(seed)).unverified();
-    UpdatedEngine engine(objects, settings);
+  overSeeds(objects, 16, Shoot(lamps * scaled(65536)), [&](const IrradianceEngine& engine) {
     for (std::size_t cell = 0; cell < kCellsOfHalf; ++cell)
     {
       watts[cell].add(wattsOn(engine, 0, cell, cell + 1));
     }
-  }
+  });
   return watts;
 }
 

@@ -98,26 +98,6 @@ void insertAndRemove(const std::vector<SegmentRef>& photons)
   ASSERT_NO_FATAL_FAILURE(pair.expectEqual());
 }
 
-/// The number that gives 1 when multiplied by an odd one, by Newton's method.
-std::uint64_t inverseOf(std::uint64_t odd)
-{
-  std::uint64_t inverse = odd; // right in three bits, then in 6, 12, ...
-  for (int i = 0; i < 5; ++i)
-  {
-    inverse *= 2 - odd * inverse;
-  }
-  return inverse;
-}
-
-/// The photon that PhotonSet.cpp gives this hash. (Should that function change, any photon.)
-SegmentRef photonOf(std::uint64_t hash)
-{
-  std::uint64_t key = hash * inverseOf(0xbf58476d1ce4e5b9u);
-  key ^= key >> 32;
-  key *= inverseOf(0x9e3779b97f4a7c15u);
-  return { static_cast<std::uint32_t>(key >> 32), static_cast<std::uint32_t>(key) };
-}
-
 double bytesAPhoton(const PhotonSet& set)
 {
   return double(sizeof(set) + set.bytes()) / double(set.size());
@@ -147,20 +127,6 @@ TEST(PhotonSet, HoldsRegularSequencesOfPhotons)
   for (const std::vector<SegmentRef>& photons : sequences)
   {
     ASSERT_NO_FATAL_FAILURE(insertAndRemove(photons)) << "walk " << photons[1].walk;
-  }
-}
-
-// All begin at the same bucket. The first ones also go on with the same step, the others with any.
-TEST(PhotonSet, HoldsPhotonsWithTheSameHash)
-{
-  for (const std::uint64_t step : { 1u, 0x100001u })
-  {
-    std::vector<SegmentRef> photons;
-    for (std::uint64_t i = 0; i < 1000; ++i)
-    {
-      photons.push_back(photonOf(i * step));
-    }
-    ASSERT_NO_FATAL_FAILURE(insertAndRemove(photons));
   }
 }
 
