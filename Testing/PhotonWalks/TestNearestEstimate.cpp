@@ -155,6 +155,15 @@ TEST(NearestEstimate, NoBiasAtEdgesAndCorners)
   }
 }
 
+/// A floor of 2 m under a lamp of the same size, 1 m above it; both reflect nothing.
+SceneObjects litFloor(int bands = 1)
+{
+  ObjectBuilder scene(bands);
+  scene.addQuad({ 0, 0, 1 }, { 0, 2, 0 }, { 2, 0, 0 }, 1, 1, { {}, { 3, 2, 1 } });
+  scene.addQuad({ 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, 3, 3, grey(0));
+  return { scene.build(), {} };
+}
+
 /// In a furnace with a white body in it: the mean irradiance from 50 photons at places on the body.
 template <class Place>
 ReplicateMean irradianceInFurnace(const SceneObject& body, const Place& place)
@@ -311,10 +320,7 @@ TEST(NearestEstimate, TheOtherFaceOfABoardDoesNotCount)
 
 TEST(NearestEstimate, TheDarkSideOfASheetIsDark)
 {
-  ObjectBuilder scene(3);
-  scene.addQuad({ 0, 0, 1 }, { 0, 2, 0 }, { 2, 0, 0 }, 1, 1, { {}, { 3, 2, 1 } });
-  scene.addQuad({ 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, 3, 3, grey(0));
-  const Lit lit({ scene.build(), {} }, 20000);
+  const Lit lit(litFloor(3), 20000);
   const Sensor above{ { 1, 1, 0 }, Vector3::UnitZ() }, below{ { 1, 1, 0 }, -Vector3::UnitZ() };
   const NearestEstimate dark = lit.estimate(below, 50, 0.5);
   EXPECT_EQ(dark.found, 0u);
@@ -330,10 +336,7 @@ TEST(NearestEstimate, TheDarkSideOfASheetIsDark)
 // All there are, over all there is.
 TEST(NearestEstimate, FewerPhotonsThanAskedFor)
 {
-  ObjectBuilder scene;
-  scene.addQuad({ 0, 0, 1 }, { 0, 2, 0 }, { 2, 0, 0 }, 1, 1, grey(0, 1));
-  scene.addQuad({ 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, 3, 3, grey(0));
-  const Lit lit({ scene.build(), {} }, 500);
+  const Lit lit(litFloor(), 500);
   const NearestEstimate all = lit.estimate({ { 1, 1, 0 }, Vector3::UnitZ() }, 1000);
   EXPECT_GT(all.found, 100u);
   EXPECT_LT(all.found, 500u);
