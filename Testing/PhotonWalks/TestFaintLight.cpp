@@ -13,7 +13,8 @@ namespace
 const CellEstimate kEstimates[] = { CellEstimate::Sums, CellEstimate::Spread,
   CellEstimate::Gathered };
 
-EngineSettings settingsOf(CellEstimate estimate, std::uint32_t replicates, std::uint64_t seed = 1)
+EngineSettings faintSettings(
+  CellEstimate estimate, std::uint32_t replicates, std::uint64_t seed = 1)
 {
   EngineSettings settings = gathering(2000, seed);
   settings.cellEstimate = estimate;
@@ -57,7 +58,7 @@ TEST(FaintLight, APointLightMayBeAsFarAsItLikes)
     {
       for (const std::uint32_t replicates : { 1u, 16u })
       {
-        UpdatedEngine engine(objects, settingsOf(estimate, replicates));
+        UpdatedEngine engine(objects, faintSettings(estimate, replicates));
         engine.cells().numbers().forEach([&](const SceneCell& cell) {
           const SceneObject& object = objects[cell.object];
           double seen = 0;
@@ -97,7 +98,7 @@ TEST(FaintLight, CellsMayBeAsSmallAsTheyLike)
         IntervalCount intervals(8);
         for (std::uint64_t seed = 1; seed <= 8; ++seed)
         {
-          UpdatedEngine engine(objects, settingsOf(estimate, replicates, seed));
+          UpdatedEngine engine(objects, faintSettings(estimate, replicates, seed));
           mean.add(estimatedWattsOn(engine, 1, 0) / (side * side));
           const ErrorEstimate errors = engine.errorEstimate();
           for (std::size_t cell = 0; cell < 9; ++cell)
@@ -134,7 +135,7 @@ TEST(FaintLight, RaysReadIt)
       ReplicateMean mean;
       for (std::uint64_t seed = 1; seed <= 16; ++seed)
       {
-        EngineSettings settings = settingsOf(CellEstimate::Gathered, replicates, seed);
+        EngineSettings settings = faintSettings(CellEstimate::Gathered, replicates, seed);
         settings.separateSides = true;
         const UpdatedEngine engine(objects, settings);
         for (std::size_t cell = 0; cell < 9; ++cell)
@@ -170,7 +171,7 @@ TEST(FaintLight, WalksOfAMirrorDiffer)
     SeedMeans means;
     for (std::uint64_t seed = 1; seed <= 16; ++seed)
     {
-      EngineSettings settings = settingsOf(CellEstimate::Sums, 1, seed);
+      EngineSettings settings = faintSettings(CellEstimate::Sums, 1, seed);
       settings.numberOfWalks = 8000;
       settings.gathersDirectLight = gathers;
       UpdatedEngine engine(objects, settings);

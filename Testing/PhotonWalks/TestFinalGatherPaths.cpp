@@ -11,7 +11,7 @@ namespace
 
 constexpr std::size_t kAll = 1000000; // more than any test shoots
 
-EngineSettings settingsOf(std::uint32_t walks)
+EngineSettings pathSettings(std::uint32_t walks)
 {
   EngineSettings settings = Shoot(walks).gathered().kept();
   settings.listRepaired = true;
@@ -47,7 +47,7 @@ TEST(FinalGatherPaths, BeginOnTheLight)
   const MovingScene scene(3, true, 34, true);
   const SceneObjects objects = inTwoGroups(scene.objects());
   Execution serial;
-  UpdatedEngine engine(objects, settingsOf(5000), serial);
+  UpdatedEngine engine(objects, pathSettings(5000), serial);
   ASSERT_EQ(engine.walks().sets().size(), 2 * (1 + objects.dynamicObjects.size()));
   std::int64_t born = 0, bornAtDynamic = 0;
   for (const WalkSet& set : engine.walks().sets())
@@ -85,7 +85,7 @@ TEST(FinalGatherPaths, BeginOnTheLight)
 TEST(FinalGatherPaths, FewAreSpreadAndStay)
 {
   SceneObjects objects = MovingScene(1, true, 32).objects();
-  UpdatedEngine engine(objects, settingsOf(20000));
+  UpdatedEngine engine(objects, pathSettings(20000));
   const auto chosen = [&] {
     const std::vector<std::uint32_t> walks = WalkPaths(engine).first(100);
     EXPECT_EQ(walks.size(), 100u);
@@ -106,7 +106,7 @@ TEST(FinalGatherPaths, FewAreSpreadAndStay)
   }
   EXPECT_GE(sixths.size(), 6u);
   objects.dynamicObjects[0].worldFromObject.translation += Vector3(0.05, 0, 0.02);
-  engine.update(objects, settingsOf(20000));
+  engine.update(objects, pathSettings(20000));
   const std::vector<std::uint32_t> after = chosen();
   std::vector<std::uint32_t> both;
   std::set_intersection(
@@ -120,7 +120,7 @@ TEST(FinalGatherPaths, SayWhatWasRepaired)
 {
   MovingScene scene(1, true, 35, true);
   Execution serial;
-  UpdatedEngine engine(scene.objects(), settingsOf(3000), serial);
+  UpdatedEngine engine(scene.objects(), pathSettings(3000), serial);
   const auto shown = [&] {
     const WalkPaths paths(engine);
     std::map<std::uint32_t, WalkPath> all;
@@ -135,7 +135,7 @@ TEST(FinalGatherPaths, SayWhatWasRepaired)
   };
   const auto before = shown();
   scene.nextFrame();
-  engine.update(scene.objects(), settingsOf(3000), serial);
+  engine.update(scene.objects(), pathSettings(3000), serial);
   std::size_t again = 0, repaired = 0, born = 0;
   for (const auto& [walk, path] : shown())
   {
@@ -169,7 +169,7 @@ TEST(FinalGatherPaths, TouchingACell)
   board.addQuad({ -0.3, -0.3, 0 }, { 0.6, 0, 0 }, { 0, 0.6, 0 }, 1, 1, grey(0.5));
   Execution serial;
   UpdatedEngine engine(
-    { room.build(), { board.build(shift({ 1, 1, 0.5 })) } }, settingsOf(3000), serial);
+    { room.build(), { board.build(shift({ 1, 1, 0.5 })) } }, pathSettings(3000), serial);
   const WalkPaths paths(engine);
   std::vector<std::uint32_t> low, onBoard, onLamp;
   const std::vector<std::uint32_t> all = paths.first(kAll);

@@ -43,7 +43,7 @@ SceneObjects nearAndFar()
   return { room.build(), { ball({ 0.4, 1.55, 0.25 }, 0.2, 4) } };
 }
 
-EngineSettings settingsOf(std::uint64_t seed, std::uint32_t walks, bool isGathered = true)
+EngineSettings nearLightSettings(std::uint64_t seed, std::uint32_t walks, bool isGathered = true)
 {
   return Shoot(scaled(walks)).seeded(seed).errors(16).gathered(isGathered);
 }
@@ -240,8 +240,8 @@ TEST(NearLights, OfEachGroupHaveWalksOfTheirOwn)
 TEST(NearLights, BringWhatShootingBrings)
 {
   const SceneObjects objects = nearAndFar();
-  const UpdatedEngine shot(objects, settingsOf(3, 400000, false));
-  const UpdatedEngine gathered(objects, settingsOf(4, 400000));
+  const UpdatedEngine shot(objects, nearLightSettings(3, 400000, false));
+  const UpdatedEngine gathered(objects, nearLightSettings(4, 400000));
   ASSERT_EQ(gathered.walks().sets().size(), 3u);
   expectBalance(gathered);
   EXPECT_NEAR(gathered.watts(gathered.balance().emitted.total()), 14, 1e-5);
@@ -259,7 +259,7 @@ TEST(NearLights, FollowAnotherStaticObject)
   ObjectBuilder lamp;
   addLamp(lamp, 1.05, 0.05, 3);
   SceneObjects objects{ withFloor(0.2), { lamp.build() } };
-  EngineSettings settings = settingsOf(6, 10000);
+  EngineSettings settings = nearLightSettings(6, 10000);
   UpdatedEngine engine(objects, settings);
   EXPECT_EQ(engine.walks().sets().size(), 2u);
   objects.staticObject = withFloor(1);

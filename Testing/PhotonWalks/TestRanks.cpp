@@ -9,7 +9,7 @@ namespace irradiance::test
 namespace
 {
 
-EngineSettings settingsOf(std::uint32_t walks, std::uint32_t replicates = 16)
+EngineSettings rankSettings(std::uint32_t walks, std::uint32_t replicates = 16)
 {
   return Shoot(walks).errors(replicates);
 }
@@ -30,7 +30,7 @@ TEST(Ranks, RepairWithinABudget)
   const SceneObjects first = scene.objects();
   scene.nextFrame();
   const SceneObjects second = scene.objects();
-  const EngineSettings settings = settingsOf(1500);
+  const EngineSettings settings = rankSettings(1500);
   const Answer expected = freshAnswer(second, settings);
   std::mutex mutex;
   const auto errors = ThreadRanks(5).run([&](ThreadRanks::Rank& rank) {
@@ -63,7 +63,7 @@ TEST(Ranks, RepairWithinABudget)
 TEST(Ranks, EndTogetherWhenOneFails)
 {
   MovingScene scene(1, true, 3);
-  const EngineSettings settings = settingsOf(5000);
+  const EngineSettings settings = rankSettings(5000);
   std::vector<std::unique_ptr<IrradianceEngine>> engines;
   std::generate_n(
     std::back_inserter(engines), 3, [] { return std::make_unique<IrradianceEngine>(); });
@@ -107,7 +107,7 @@ TEST(Ranks, EachHasAllWalksWherePhotonsAreRead)
   {
     frames.push_back(scene.objects());
   }
-  EngineSettings settings = settingsOf(9000), reading = settings;
+  EngineSettings settings = rankSettings(9000), reading = settings;
   reading.keepPhotons = reading.allOnEachRank = true;
   const Answer expected = freshAnswer(frames[2], settings);
   std::mutex mutex;
@@ -137,18 +137,18 @@ TEST(Ranks, MustBeGivenTheSame)
         3, "other " + what + " than on the first process on 1 of 3 processes"));
   };
   expectOther("settings", [&](ThreadRanks::Rank& rank) {
-    UpdatedEngine engine(scene.objects(), settingsOf(rank.rank() == 2 ? 5001 : 5000), rank);
+    UpdatedEngine engine(scene.objects(), rankSettings(rank.rank() == 2 ? 5001 : 5000), rank);
   });
   expectOther("inputs", [&](ThreadRanks::Rank& rank) {
     UpdatedEngine engine(
-      rank.rank() == 1 ? other.objects() : scene.objects(), settingsOf(5000), rank);
+      rank.rank() == 1 ? other.objects() : scene.objects(), rankSettings(5000), rank);
   });
   // Later only what has changed is looked at.
   expectOther("inputs", [&](ThreadRanks::Rank& rank) {
-    UpdatedEngine engine(scene.objects(), settingsOf(5000), rank);
+    UpdatedEngine engine(scene.objects(), rankSettings(5000), rank);
     SceneObjects moved = scene.objects();
     moved.dynamicObjects[0].worldFromObject.translation[0] += rank.rank() == 1 ? 0.02 : 0.01;
-    engine.update(moved, settingsOf(5000), rank);
+    engine.update(moved, rankSettings(5000), rank);
   });
 }
 

@@ -15,7 +15,7 @@ namespace
 
 const Vector3 kNone = Vector3::Zero(); ///< the normal of a sensor that receives from all directions
 
-EngineSettings settingsOf(std::uint32_t walks, bool gathersDirectLight, std::uint64_t seed = 1)
+EngineSettings sensorSettings(std::uint32_t walks, bool gathersDirectLight, std::uint64_t seed = 1)
 {
   return Shoot(walks).seeded(seed).gathered(gathersDirectLight);
 }
@@ -62,7 +62,7 @@ TEST(SensorFinalGather, InAFurnaceAllSensorsFindOneOrFour)
     ReplicateMean all;
     for (std::uint64_t seed = 1; seed <= 12; ++seed)
     {
-      EngineSettings settings = settingsOf(4000, gathers, seed);
+      EngineSettings settings = sensorSettings(4000, gathers, seed);
       settings.separateSides = separates;
       const std::vector<SensorFinalGather::Light> lights = gathered(objects, settings, sensors);
       double mean = 0;
@@ -96,7 +96,7 @@ TEST(SensorFinalGather, APointLightAloneIsExact)
     const Vector3 place(1, 2, -0.5), away = lamp - place,
                                      normal = Vector3(0.2, 0.1, 1).normalized();
     const double fluence = 7 / (4 * M_PI * away.squaredNorm());
-    EngineSettings settings = settingsOf(100, gathers);
+    EngineSettings settings = sensorSettings(100, gathers);
     settings.replicates = 4;
     const auto lights = gathered({ builder.build(), {} }, settings,
       { { place, kNone }, { place, normal }, { place, -normal }, { { 1e9, 0, 0 }, kNone } });
@@ -123,7 +123,7 @@ TEST(SensorFinalGather, FluenceBetweenPlatesIsTheirSolidAngle)
   ReplicateMean fluence, irradiance, outside;
   for (std::uint64_t seed = 1; seed <= 12; ++seed)
   {
-    const auto lights = gathered({ plates.build(), {} }, settingsOf(1000, seed % 2 == 0, seed),
+    const auto lights = gathered({ plates.build(), {} }, sensorSettings(1000, seed % 2 == 0, seed),
       { { place, kNone }, { place, down }, { { 0, 0, 2 }, kNone } });
     fluence.add(lights[0].value[0]);
     irradiance.add(lights[1].value[0]);
@@ -181,7 +181,7 @@ TEST(SensorFinalGather, AgreesWithCells)
   {
     const UpdatedEngine shot(
       objects, Shoot(scaled(200000)).seeded(100 + seed).unverified(), ThreadExecution(2));
-    const auto lights = gathered(objects, settingsOf(20000, seed % 2 == 0, seed), sensors, 16);
+    const auto lights = gathered(objects, sensorSettings(20000, seed % 2 == 0, seed), sensors, 16);
     for (std::size_t k = 0; k < 2; ++k)
     {
       cells[k].add(shot.irradiance(patches[k].cell, 0));
@@ -211,7 +211,7 @@ TEST(SensorFinalGather, ErrorBarsHoldTheTruth)
   IntervalCount intervals(16);
   for (std::uint64_t seed = 1; seed <= (kIsSanitized ? 6 : 24); ++seed)
   {
-    EngineSettings settings = settingsOf(2000, seed % 2 == 0, seed);
+    EngineSettings settings = sensorSettings(2000, seed % 2 == 0, seed);
     settings.replicates = 16;
     const auto lights = gathered(objects, settings, sensors);
     for (std::size_t i = 0; i < sensors.size(); ++i)
@@ -235,7 +235,7 @@ TEST(SensorFinalGather, ErrorBarsKnowTheNoiseOfWhatIsRead)
   double squares = 0;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed)
   {
-    EngineSettings settings = settingsOf(4000, false, seed);
+    EngineSettings settings = sensorSettings(4000, false, seed);
     settings.replicates = 16;
     const auto lights = gathered(objects, settings, { { { 4, 4, 4 }, { 0, 0, 1 } } }, 512);
     squares += std::pow((lights[0].value[0] - 1) / lights[0].standardError[0], 2) / kSeeds;
@@ -247,7 +247,7 @@ TEST(SensorFinalGather, ErrorBarsKnowTheNoiseOfWhatIsRead)
 TEST(SensorFinalGather, IsDarkInsideAndKnowsWhatIsTooFar)
 {
   const SceneObjects objects = roomWithTable();
-  const auto lights = gathered(objects, settingsOf(5000, false),
+  const auto lights = gathered(objects, sensorSettings(5000, false),
     { { { 2.9, 1, 0.35 }, kNone }, { { 2.9, 1, 0.35 }, { 0, 0, 1 } }, { { 2, 2, 5 }, kNone },
       { { 3e6, 0, 0 }, kNone }, { { 8e6, 0, 0 }, kNone } });
   EXPECT_EQ(lights[0].value[0], 0) << "in the table";
@@ -271,7 +271,7 @@ TEST(SensorFinalGather, SeesFromAfarWhatCellsReflect)
   ReplicateMean ratio;
   for (std::uint64_t seed = 1; seed <= 12; ++seed)
   {
-    UpdatedEngine engine(objects, settingsOf(10000, false, seed));
+    UpdatedEngine engine(objects, sensorSettings(10000, false, seed));
     double expected = 0;
     for (std::size_t cell = 0; cell < 4; ++cell)
     {
@@ -294,7 +294,7 @@ TEST(SensorFinalGather, WithoutLightOrSurfaceThereIsNothing)
   const std::vector<Sensor> sensors{ { { 0.3, 0.2, 0.5 }, kNone }, { { 1, 2, 3 }, kNone } };
   for (const SceneObject& object : { dark.build(), lamp.build(), nothing() })
   {
-    const auto lights = gathered({ object, {} }, settingsOf(1000, false), sensors);
+    const auto lights = gathered({ object, {} }, sensorSettings(1000, false), sensors);
     EXPECT_EQ(lights[0].value[0] > 0, object.emission != nullptr);
     EXPECT_EQ(lights[1].value[0], 0) << "at the very place of the light, too";
   }
@@ -303,7 +303,7 @@ TEST(SensorFinalGather, WithoutLightOrSurfaceThereIsNothing)
 TEST(SensorFinalGather, RefusesPointLightsBesideSpecularCells)
 {
   const MovingScene glossy(1, true, 5, true);
-  EXPECT_THROW(gathered(glossy.objects(), settingsOf(1000, true), {}), InputError);
+  EXPECT_THROW(gathered(glossy.objects(), sensorSettings(1000, true), {}), InputError);
 }
 
 }

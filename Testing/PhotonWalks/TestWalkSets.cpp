@@ -12,7 +12,7 @@ namespace
 
 constexpr std::uint32_t kReplicates = 16;
 
-EngineSettings settingsOf(std::uint64_t seed, std::uint32_t walks)
+EngineSettings withErrorBars(std::uint64_t seed, std::uint32_t walks)
 {
   return Shoot(scaled(walks)).seeded(seed).errors(kReplicates);
 }
@@ -54,7 +54,7 @@ TEST(WalkSets, OneGroupHasTheWholePlan)
 TEST(WalkSets, PathsStartAtLightsOfTheirGroup)
 {
   const MovingScene scene(1, true, 9);
-  EngineSettings settings = settingsOf(9, 5000);
+  EngineSettings settings = withErrorBars(9, 5000);
   settings.keepPhotons = true;
   Execution serial;
   const SceneObjects objects = inTwoGroups(scene.objects());
@@ -87,8 +87,8 @@ TEST(WalkSets, PathsStartAtLightsOfTheirGroup)
 TEST(WalkSets, TwoBringWhatOneWithAllLampsBrings)
 {
   const MovingScene scene(1, true, 12);
-  const UpdatedEngine one(scene.objects(), settingsOf(3, 200000));
-  const UpdatedEngine two(inTwoGroups(scene.objects()), settingsOf(4, 200000));
+  const UpdatedEngine one(scene.objects(), withErrorBars(3, 200000));
+  const UpdatedEngine two(inTwoGroups(scene.objects()), withErrorBars(4, 200000));
   ASSERT_EQ(two.walks().sets().size(), 2u);
   EXPECT_NEAR(
     two.watts(two.balance().emitted.total()) / one.watts(one.balance().emitted.total()), 1, 1e-6);
