@@ -11,8 +11,8 @@ namespace irradiance::test
 namespace
 {
 
-constexpr std::size_t kReplicates = 16;
-constexpr double kPhoton = 0.5; // J/m2, that one photon brings to a cell
+constexpr std::size_t kDoseReplicates = 16;
+constexpr double kJoules = 0.5; // J/m2, that one photon brings to a cell
 
 /// n * n squares of 1 m2, of two triangles each; those of odd number may be turned over.
 ExposedSurface squares(std::size_t n, bool areTurned = false)
@@ -45,23 +45,23 @@ struct Dose
   explicit Dose(std::size_t cells, int bands = 1)
     : bands(static_cast<std::size_t>(bands))
     , exposure(cells * this->bands)
-    , sums(exposure.size(), bands, kReplicates)
+    , sums(exposure.size(), bands, kDoseReplicates)
   {
   }
 
   void add(const Photons& photons, double weight = 1)
   {
     const std::size_t cells = exposure.size() / bands;
-    auto of = std::shared_ptr<double[]>(new double[exposure.size() * kReplicates]);
-    std::vector<double> mean(exposure.size()), photon(exposure.size(), kPhoton);
+    auto of = std::shared_ptr<double[]>(new double[exposure.size() * kDoseReplicates]);
+    std::vector<double> mean(exposure.size()), photon(exposure.size(), kJoules);
     for (std::size_t cell = 0; cell < cells; ++cell)
     {
-      for (std::size_t r = 0; r < kReplicates; ++r)
+      for (std::size_t r = 0; r < kDoseReplicates; ++r)
       {
         for (std::size_t band = 0; band < bands; ++band)
         {
-          const double arrived = photons(r, cell, band) * kPhoton;
-          of[(cell * kReplicates + r) * bands + band] = arrived * kReplicates;
+          const double arrived = photons(r, cell, band) * kJoules;
+          of[(cell * kDoseReplicates + r) * bands + band] = arrived * kDoseReplicates;
           mean[cell * bands + band] += arrived;
         }
       }
@@ -84,11 +84,11 @@ struct Dose
   /// Of a band, in all cells of 1 m2: of the exposure and of each replicate, J.
   std::vector<double> energies(std::size_t band)
   {
-    std::vector<double> energies(1 + kReplicates);
+    std::vector<double> energies(1 + kDoseReplicates);
     for (std::size_t i = band; i < exposure.size(); i += bands)
     {
       energies[0] += exposure[i];
-      for (std::size_t r = 0; r < kReplicates; ++r)
+      for (std::size_t r = 0; r < kDoseReplicates; ++r)
       {
         energies[1 + r] += sums.exposure(i, r);
       }
@@ -105,7 +105,7 @@ struct Dose
 Dose::Photons poisson(double mean, unsigned seed)
 {
   return [random = std::make_shared<std::mt19937_64>(seed),
-           count = std::poisson_distribution<int>(mean / kReplicates)](
+           count = std::poisson_distribution<int>(mean / kDoseReplicates)](
            std::size_t, std::size_t, std::size_t) mutable { return double(count(*random)); };
 }
 
@@ -147,7 +147,7 @@ TEST(ExposureSpread, KeepsAUniformDose)
   for (std::size_t i = 0; i < before.size(); ++i)
   {
     EXPECT_NEAR(dose.exposure[i], before[i], 1e-9 * before[i]);
-    EXPECT_NEAR(dose.sums.exposure(i, 1), 4 * kPhoton * kReplicates, 1e-9);
+    EXPECT_NEAR(dose.sums.exposure(i, 1), 4 * kJoules * kDoseReplicates, 1e-9);
   }
 }
 
@@ -190,14 +190,14 @@ TEST(ExposureSpread, BringsTheNoiseOfThePhotonsAskedFor)
   {
     Dose dose(48 * 48);
     dose.add(poisson(mean, seed));
-    EXPECT_NEAR(squaredDeviation(dose.exposure, mean * kPhoton), 1 / mean, 0.1);
+    EXPECT_NEAR(squaredDeviation(dose.exposure, mean * kJoules), 1 / mean, 0.1);
     dose.spread(squares(48), n);
-    square += squaredDeviation(dose.exposure, mean * kPhoton) / 4;
+    square += squaredDeviation(dose.exposure, mean * kJoules) / 4;
     for (std::size_t i = 0; i < dose.exposure.size(); ++i)
     {
       claimed += std::isnan(dose.error(i))
         ? 0
-        : std::pow(dose.error(i) / (mean * kPhoton), 2) / (4 * 48 * 48);
+        : std::pow(dose.error(i) / (mean * kJoules), 2) / (4 * 48 * 48);
     }
   }
   EXPECT_GT(square, 1 / n / 1.7);
@@ -226,8 +226,8 @@ TEST(ExposureSpread, CountsAWalkOnce)
   }
   // Of 100 photons both. Neighbourhoods of 100 cells are few, so each mean square is within a
   // factor of 3.
-  EXPECT_NEAR(std::log(squaredDeviation(often.exposure, 8 * kPhoton) /
-                squaredDeviation(anew.exposure, 8 * kPhoton)),
+  EXPECT_NEAR(std::log(squaredDeviation(often.exposure, 8 * kJoules) /
+                squaredDeviation(anew.exposure, 8 * kJoules)),
     0, std::log(3));
 }
 
@@ -255,14 +255,14 @@ TEST(ExposureSpread, GoesOnWhereCellsAreTurnedOver)
     EXPECT_EQ(dark.exposure[cell], 0);
     both.push_back(light.exposure[cell]);
   }
-  EXPECT_LT(squaredDeviation(both, 2 * kPhoton), 3.0 / 60);
+  EXPECT_LT(squaredDeviation(both, 2 * kJoules), 3.0 / 60);
 }
 
 // Two photons a cell are too few for an error; of the 100 around it is known. Twelve surfaces of 40
 // * 40 / 50 neighbourhoods: the share has a standard deviation of 1.1 %.
 TEST(ExposureSpread, HasIntervalsThatHoldTheTruth)
 {
-  IntervalCount intervals(kReplicates);
+  IntervalCount intervals(kDoseReplicates);
   for (unsigned seed = 1; seed <= 12; ++seed)
   {
     Dose dose(1600);
@@ -271,7 +271,7 @@ TEST(ExposureSpread, HasIntervalsThatHoldTheTruth)
     dose.spread(squares(40), 100);
     for (std::size_t i = 0; i < dose.exposure.size(); ++i)
     {
-      intervals.add(dose.exposure[i] - 2 * kPhoton, dose.error(i));
+      intervals.add(dose.exposure[i] - 2 * kJoules, dose.error(i));
     }
   }
   intervals.expectHonest();

@@ -9,7 +9,7 @@ namespace irradiance::test
 namespace
 {
 
-constexpr std::size_t kAll = 1000000; // more than any test shoots
+constexpr std::size_t kAllWalks = 1000000; // more than any test shoots
 
 EngineSettings pathSettings(std::uint32_t walks)
 {
@@ -58,7 +58,7 @@ TEST(FinalGatherPaths, BeginOnTheLight)
   }
   EXPECT_GT(bornAtDynamic, 50);
   const WalkPaths paths(engine);
-  const std::vector<std::uint32_t> all = paths.first(kAll);
+  const std::vector<std::uint32_t> all = paths.first(kAllWalks);
   ASSERT_EQ(static_cast<std::int64_t>(all.size()), born);
   Power power;
   std::size_t segments = 0;
@@ -95,7 +95,7 @@ TEST(FinalGatherPaths, FewAreSpreadAndStay)
   const std::vector<std::uint32_t> before = chosen();
   const WalkSet& ofStatics = engine.walks().sets()[0];
   const double share = static_cast<double>(bornIn(ofStatics)) /
-    static_cast<double>(WalkPaths(engine).first(kAll).size());
+    static_cast<double>(WalkPaths(engine).first(kAllWalks).size());
   const auto few = static_cast<double>(std::count_if(before.begin(), before.end(),
     [&](std::uint32_t walk) { return walk < ofStatics.plan().endWalk(); }));
   EXPECT_NEAR(few / 100, share, 0.08);
@@ -124,7 +124,7 @@ TEST(FinalGatherPaths, SayWhatWasRepaired)
   const auto shown = [&] {
     const WalkPaths paths(engine);
     std::map<std::uint32_t, WalkPath> all;
-    for (const WalkPath& path : paths.paths(paths.first(kAll), serial))
+    for (const WalkPath& path : paths.paths(paths.first(kAllWalks), serial))
     {
       if (path.walk < engine.walks().sets()[0].plan().endWalk())
       {
@@ -172,7 +172,7 @@ TEST(FinalGatherPaths, TouchingACell)
     { room.build(), { board.build(shift({ 1, 1, 0.5 })) } }, pathSettings(3000), serial);
   const WalkPaths paths(engine);
   std::vector<std::uint32_t> low, onBoard, onLamp;
-  const std::vector<std::uint32_t> all = paths.first(kAll);
+  const std::vector<std::uint32_t> all = paths.first(kAllWalks);
   for (const WalkPath& path : paths.paths(all, serial))
   {
     const auto touches = [&](double height, double from, double to) {
@@ -186,9 +186,9 @@ TEST(FinalGatherPaths, TouchingACell)
     touches(1.9, 0.5, 1.5) ? onLamp.push_back(path.walk) : void();
   }
   EXPECT_EQ(onLamp, all) << "there is one lamp";
-  EXPECT_EQ(paths.touching({ 0, 24 }, kAll, serial), all);
-  EXPECT_EQ(paths.touching({ 1, 0 }, kAll, serial), onBoard);
-  EXPECT_EQ(paths.touching({ 0, 16 }, kAll, serial), low); // the lower side, by x and y
+  EXPECT_EQ(paths.touching({ 0, 24 }, kAllWalks, serial), all);
+  EXPECT_EQ(paths.touching({ 1, 0 }, kAllWalks, serial), onBoard);
+  EXPECT_EQ(paths.touching({ 0, 16 }, kAllWalks, serial), low); // the lower side, by x and y
   EXPECT_GT(onBoard.size(), 100u);
   EXPECT_GT(low.size(), 100u);
 }

@@ -12,12 +12,12 @@ namespace irradiance::test
 namespace
 {
 
-constexpr double kReflectance = 0.5;
+constexpr double kOfWalls = 0.5;
 
 /// Walls of 4 x 4 x 3 units, in cells of .67 x .67 and .67 x .5.
 ObjectBuilder walls(double unit = 1)
 {
-  return plainRoom({ 4 * unit, 4 * unit, 3 * unit }, 6, grey(kReflectance));
+  return plainRoom({ 4 * unit, 4 * unit, 3 * unit }, 6, grey(kOfWalls));
 }
 
 /// A square that shines down; 2 triangles.
@@ -74,7 +74,7 @@ TEST(NearLights, NeverDependOnWhatMayMove)
 {
   ObjectBuilder room = walls(), floor, lamp;
   addLamp(room, 2.5, 1, 8);
-  floor.addQuad({ 0, 0, 2.45 }, { 4, 0, 0 }, { 0, 4, 0 }, 6, 6, grey(kReflectance));
+  floor.addQuad({ 0, 0, 2.45 }, { 4, 0, 0 }, { 0, 4, 0 }, 6, 6, grey(kOfWalls));
   EXPECT_EQ(nearLightsOf({ room.build(), { floor.build() } }), std::vector<bool>(2, false));
   // A lamp itself may be of a dynamic object.
   addLamp(lamp, 0.05, 0.05, 1);
@@ -105,10 +105,10 @@ TEST(FirstHits, KnowHowMuchReturns)
     ObjectBuilder room = walls(unit), floor, lamp, upwards;
     addLamp(room, 2.5, 1, 8, unit);
     room.addPointLight(unit * Vector3(2, 2, 1), 3);
-    EXPECT_NEAR(returnedOf({ room.build(), {} }), kReflectance, 0.05) << "unit " << unit;
+    EXPECT_NEAR(returnedOf({ room.build(), {} }), kOfWalls, 0.05) << "unit " << unit;
     // The lamp's own back takes some.
-    EXPECT_LE(returnedOf({ room.build(), {} }), kReflectance * (1 + 1e-12)) << "unit " << unit;
-    floor.addQuad({ 0, 0, 0 }, { 4 * unit, 0, 0 }, { 0, 4 * unit, 0 }, 6, 6, grey(kReflectance));
+    EXPECT_LE(returnedOf({ room.build(), {} }), kOfWalls * (1 + 1e-12)) << "unit " << unit;
+    floor.addQuad({ 0, 0, 0 }, { 4 * unit, 0, 0 }, { 0, 4 * unit, 0 }, 6, 6, grey(kOfWalls));
     addLamp(lamp, 2.5, 1, 8, unit);
     EXPECT_EQ(returnedOf({ floor.build(), { lamp.build() } }), 0) << "unit " << unit;
     upwards.addQuad(unit * Vector3(1, 1, 1), { unit, 0, 0 }, { 0, unit, 0 }, 1, 1, grey(0, 1));
@@ -120,7 +120,7 @@ TEST(FirstHits, KnowHowMuchReturns)
 TEST(FirstHits, DecideHowManySamplesThereAre)
 {
   ObjectBuilder room = walls(), floor, lamp;
-  floor.addQuad({ 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, 6, 6, grey(kReflectance));
+  floor.addQuad({ 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, 6, 6, grey(kOfWalls));
   addLamp(lamp, 2.5, 1, 8);
   const WalkPlan plan(10000, 10000, 16);
   const double inRoom =
@@ -253,7 +253,7 @@ TEST(NearLights, FollowAnotherStaticObject)
 {
   const auto withFloor = [](double height) {
     ObjectBuilder room = walls();
-    room.addQuad({ 0, 0, height }, { 4, 0, 0 }, { 0, 4, 0 }, 6, 6, grey(kReflectance));
+    room.addQuad({ 0, 0, height }, { 4, 0, 0 }, { 0, 4, 0 }, 6, 6, grey(kOfWalls));
     return room.build();
   };
   ObjectBuilder lamp;

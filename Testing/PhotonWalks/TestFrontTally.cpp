@@ -326,7 +326,7 @@ void setArrivals(WalkFront& front, const WalkFront& rows)
 
 /// Calls test(world, rows) on each instruction set for several scenes.
 template <class Test>
-void onAll(const Test& test)
+void onAllRays(const Test& test)
 {
   const std::uint32_t walks = scaled(10000);
   for (const std::uint32_t replicates : { 1u, 16u })
@@ -348,7 +348,7 @@ void onAll(const Test& test)
 // Of areas and of a point in the air.
 TEST(FrontRays, FirstRaysAreFoundAgainForAnyListOfWalks)
 {
-  onAll([](const FrontWorld& world, const WalkFront& rows) {
+  onAllRays([](const FrontWorld& world, const WalkFront& rows) {
     const std::vector<std::size_t> chosen = someRows(rows, true);
     WalkFront front;
     front.reserve(chosen.size(), world.sampler().bands());
@@ -377,7 +377,7 @@ TEST(FrontRays, FirstRaysAreFoundAgainForAnyListOfWalks)
 
 TEST(FrontRays, LaterRaysAreFoundAgainWhateverTheirBounces)
 {
-  onAll([](const FrontWorld& world, const WalkFront& rows) {
+  onAllRays([](const FrontWorld& world, const WalkFront& rows) {
     const std::vector<std::size_t> chosen = someRows(rows, false);
     WalkFront front;
     for (const std::size_t row : chosen)

@@ -230,7 +230,7 @@ TEST(GridSegments, ScaleWithTheScene)
 
 // Law: the grid of an ordinary scene holds all of it; what is far away makes no grid coarse.
 
-const Vector3 kAway(600, 0, 800); ///< 1 km
+const Vector3 kFarAway(600, 0, 800); ///< 1 km
 const Box kRoom = box({ 0, 0, 0 }, { 4, 4, 3 });
 
 /// A room, a lamp and a ball that may move.
@@ -299,10 +299,10 @@ TEST(PointGrid, IsFineWhereSomethingIsFarAway)
   for (const double distances : { 1.0, 1e2, 1e6, 1e12 })
   {
     Room light, lamp, vehicle;
-    light.lights.add(distances * kAway);
-    lamp.still.addQuad(distances * kAway, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(0, 1));
+    light.lights.add(distances * kFarAway);
+    lamp.still.addQuad(distances * kFarAway, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(0, 1));
     // Has more triangles than the room, and less area.
-    vehicle.addBall(distances * kAway, 1.5, 20);
+    vehicle.addBall(distances * kFarAway, 1.5, 20);
     for (Room* room : { &light, &lamp, &vehicle })
     {
       room->addBall({ 3, 3, 1 }, 0.3, 6);
@@ -314,7 +314,7 @@ TEST(PointGrid, IsFineWhereSomethingIsFarAway)
 TEST(PointGrid, HoldsDynamicObjectsThatAreNear)
 {
   Room room;
-  room.lights.add(kAway);
+  room.lights.add(kFarAway);
   room.addBall({ 40, 2, 1 }, 0.3, 6); // farther than the room is cut otherwise
   const PointGrid grid = room.grid();
   expectRoom(grid, 2e-3);
@@ -328,13 +328,13 @@ TEST(PointGrid, HoldsWhatIsThere)
   // Only far things: these are what matters.
   Room far;
   far.still = ObjectBuilder();
-  far.addBall(kAway, 0.3, 6);
+  far.addBall(kFarAway, 0.3, 6);
   EXPECT_TRUE(isSame(far.grid(), PointGrid(far.bounds())));
   // No surface.
   Room lights;
   lights.still = ObjectBuilder();
   EXPECT_TRUE(isSame(lights.grid(), PointGrid(Box())));
-  lights.lights.add(kAway);
+  lights.lights.add(kFarAway);
   EXPECT_TRUE(isSame(lights.grid(), PointGrid(lights.lights)));
   // A floor, and a far light above it.
   Room floor;
@@ -350,7 +350,7 @@ TEST(PointGrid, HoldsWhatIsThere)
 TEST(PointGrid, FollowsTheScaleOfTheScene)
 {
   Room room;
-  room.addBall(kAway, 0.3, 6);
+  room.addBall(kFarAway, 0.3, 6);
   const SceneObjects objects = room.objects();
   const PointGrid grid = pointGrid(objects, room.bounds());
   for (const double scale : { 0x1p-100, 0x1p100 })

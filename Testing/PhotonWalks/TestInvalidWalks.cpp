@@ -32,16 +32,17 @@ public:
   }
 };
 
-struct Counts
+struct InvalidCounts
 {
   std::int64_t invalid = 0, repaired = 0;
 };
 
 /// By definition: a segment is stale if the object that it hit has moved, or if a cast into the
 /// whole new scene finds another hit.
-Counts countByDefinition(const TracedFrame& before, const TracedFrame& now, std::uint32_t walks)
+InvalidCounts countByDefinition(
+  const TracedFrame& before, const TracedFrame& now, std::uint32_t walks)
 {
-  Counts counts;
+  InvalidCounts counts;
   for (std::uint32_t walk = 0; walk < walks; ++walk)
   {
     const std::vector<WalkSegment> trace = before.trace(walk);
@@ -73,7 +74,7 @@ TEST(InvalidWalks, AreThoseThatChangedByDefinition)
       scene.nextFrame();
       auto now = std::make_unique<TracedFrame>(scene.objects(), settings);
       engine.update(scene.objects(), settings);
-      const Counts counts = countByDefinition(*before, *now, settings.numberOfWalks);
+      const InvalidCounts counts = countByDefinition(*before, *now, settings.numberOfWalks);
       EXPECT_EQ(engine.statistics().invalidWalks, counts.invalid) << "frame " << frame;
       EXPECT_EQ(engine.statistics().repairedSegments, counts.repaired) << "frame " << frame;
       before = std::move(now);

@@ -11,7 +11,7 @@ namespace
 {
 
 // |t| > 3.5 with 63 degrees of freedom happens by chance in 0.09 % of the comparisons.
-constexpr int kSeeds = 64;
+constexpr int kLampSeeds = 64;
 constexpr double kFlux = 10;
 
 class NearLamps : public BothModes
@@ -21,7 +21,7 @@ protected:
   static std::vector<ReplicateMean> received(const SceneObjects& objects, std::uint32_t walks)
   {
     std::vector<ReplicateMean> cells(objects.staticObject.material->numberOfCells);
-    overSeeds(objects, kSeeds, walks, [&](const IrradianceEngine& engine) {
+    overSeeds(objects, kLampSeeds, walks, [&](const IrradianceEngine& engine) {
       for (std::size_t cell = 0; cell < cells.size(); ++cell)
       {
         cells[cell].add(wattsOn(engine, 0, cell, cell + 1));
@@ -64,14 +64,14 @@ void expectCells(
     {
       EXPECT_EQ(cells[cell].mean(), 0) << "cell " << cell;
     }
-    else if (truth[cell] / kFlux * walks * kSeeds > 100)
+    else if (truth[cell] / kFlux * walks * kLampSeeds > 100)
     {
       const double t = tOf(cells[cell], truth[cell]);
       chiSquare += t * t;
       ++count;
     }
   }
-  const double freedom = kSeeds - 1;
+  const double freedom = kLampSeeds - 1;
   EXPECT_GT(count, kIsSanitized ? 1 : 5);
   EXPECT_LE(chiSquare * (freedom - 2) / freedom, 1.1 * chiSquareLimit(count, 3.72));
   EXPECT_NEAR(sum, expected, (kIsSanitized ? 0.1 : 0.01) * expected);
@@ -189,8 +189,8 @@ TEST_P(NearLamps, APartOnALightTable)
     height = std::max({ height, triangle.a[2], triangle.b[2], triangle.c[2] });
   }
   ReplicateMean bottom, lower, upper, top;
-  overSeeds(
-    { table.build(), { standing } }, kSeeds, scaled(30000), [&](const IrradianceEngine& engine) {
+  overSeeds({ table.build(), { standing } }, kLampSeeds, scaled(30000),
+    [&](const IrradianceEngine& engine) {
       double onSides[2] = { 0, 0 };
       for (std::size_t cell = 0; cell < 16; ++cell)
       {
@@ -216,8 +216,8 @@ TEST_P(NearLamps, InAClosedBodyLightStaysInside)
   body.addBox(box({ -0.5, -0.5, -0.5 }, { 0.5, 0.5, 0.5 }), 2, grey(0.6, 1), true);
   ReplicateMean all;
   std::vector<ReplicateMean> cells(24);
-  overSeeds(
-    { room.build(), { body.build() } }, kSeeds, scaled(30000), [&](const IrradianceEngine& engine) {
+  overSeeds({ room.build(), { body.build() } }, kLampSeeds, scaled(30000),
+    [&](const IrradianceEngine& engine) {
       EXPECT_EQ(wattsOn(engine, 0, 0, 54), 0);
       for (std::size_t cell = 0; cell < cells.size(); ++cell)
       {

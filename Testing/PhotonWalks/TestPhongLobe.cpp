@@ -195,7 +195,7 @@ TEST(LobeLoss, IsWithinItsErrorBetweenNodes)
   }
 }
 
-constexpr std::int64_t kPhoton = 1 << 26;
+constexpr std::int64_t kQuanta = 1 << 26;
 
 /// Probability times power is what is reflected, to half a quantum.
 void expectReflected(const Power& after, double probability, const Power& before,
@@ -221,7 +221,7 @@ TEST(Absorption, SeveralBandsKeepTheMeanAndTheStrongestPower)
 {
   const std::array<double, 3> reflectances[] = { { 0.5, 0.25, 1.0 }, { 0.9, 0.1, 0.0 },
     { 0.3, 0.3, 0.3 }, { 1, 1, 1 }, { 1e-9, 0.7, 0.2 } };
-  const Power powers[] = { { { kPhoton, kPhoton, kPhoton } }, { { kPhoton, 3, 0 } },
+  const Power powers[] = { { { kQuanta, kQuanta, kQuanta } }, { { kQuanta, 3, 0 } },
     { { 12345, 77777, 1001 } } };
   for (const auto& reflectance : reflectances)
   {
@@ -259,7 +259,7 @@ TEST(Absorption, SpecularAndDiffuseReflectionKeepTheMeanOfEachBand)
   {
     Material material = oneTriangle(one.diffuse, 3);
     material.setSpecular({ one.specular.begin(), one.specular.end() }, { 10 });
-    const Power power{ { kPhoton, kPhoton, kPhoton } };
+    const Power power{ { kQuanta, kQuanta, kQuanta } };
     const SurvivalProbabilities survival = survivalProbabilities(power, material, 0);
     ASSERT_LE(survival.total(), 1 + 1e-15);
     EXPECT_EQ(survival.chosenBy(0.99 * survival.diffuse), Reflection::Diffuse);
@@ -273,7 +273,7 @@ TEST(Absorption, SpecularAndDiffuseReflectionKeepTheMeanOfEachBand)
         continue;
       }
       const Power after = survivingPower(power, material, 0, reflection, probability);
-      EXPECT_EQ(after.largest() > kPhoton, one.isScaled);
+      EXPECT_EQ(after.largest() > kQuanta, one.isScaled);
       expectReflected(after, probability, power, reflectance);
     }
   }
@@ -281,7 +281,7 @@ TEST(Absorption, SpecularAndDiffuseReflectionKeepTheMeanOfEachBand)
 
 TEST(Absorption, OneBandSurvivesWithTheSumOfItsReflectancesAndKeepsItsPower)
 {
-  const Power photon{ { kPhoton, 0, 0 } };
+  const Power photon{ { kQuanta, 0, 0 } };
   for (const double reflectance : { 0.0, 0.3, 0.999, 1.0 })
   {
     const Material diffuse = oneTriangle({ reflectance, 0, 0 }, 1);
