@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Runs every test: installs what is missing; builds build/release and runs all tests and examples there under a
 # private X server; fetches Debian's ParaView into build/paraview-sdk, builds build/paraview and tests the plugin
-# there; builds build/sanitize and runs the engine's tests there with the address and undefined-behaviour
-# sanitizers; builds build/fuzz and fuzzes. The last line sums it up; the status is 0 only if nothing
+# there; builds build/sanitize with clang's address and undefined-behaviour sanitizers, runs the engine's tests there
+# and fuzzes. The last line sums it up; the status is 0 only if nothing
 # failed. What this system has no packages for is left out, in a line that says so.
 set -euo pipefail
 

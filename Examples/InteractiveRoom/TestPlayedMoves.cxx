@@ -38,7 +38,7 @@ std::string TextOf(const std::string& file)
   return text.str();
 }
 
-// With the tolerances of the other pictures (Testing/FiltersIrradiance/ImageComparison.cxx).
+// With the tolerances of the other pictures (Testing/FiltersIrradiance/TestImages.cxx).
 double DifferenceToPage(Shown& shown)
 {
   vtkNew<vtkPNGReader> page;

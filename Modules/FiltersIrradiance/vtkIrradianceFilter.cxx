@@ -2,7 +2,6 @@
 #include "vtkIrradianceFilter.h"
 
 #include "Data/ArrayNames.h"
-#include "Data/OldNames.h"
 #include "Estimates/AutomaticChoice.h"
 #include "Execution/ProgressSpan.h"
 #include "FinalGather/PathLights.h"
@@ -14,12 +13,9 @@
 #include "Pipeline/DistributedInput.h"
 #include "Pipeline/FilterRun.h"
 #include "Pipeline/PhotonSource.h"
-#include "Pipeline/PieceRequest.h"
-#include "Pipeline/RanksPipeline.h"
 #include "Pipeline/UpstreamRequest.h"
 #include "Pipeline/WalkMemory.h"
 #include "Progress/InputError.h"
-#include "Time/DynamicPoses.h"
 #include "Time/TimeKeys.h"
 
 #include "vtkDataArray.h"
@@ -43,6 +39,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <new>
 #include <optional>
 #include <sstream>
@@ -50,53 +47,12 @@
 
 vtkStandardNewMacro(vtkIrradianceFilter);
 
-class vtkIrradianceFilter::vtkInternals
-{
-public:
-  /// By method, what each says of DirectLight, CellEstimate, GatherOn and UnbiasedGather.
-  static constexpr std::array<std::array<int, 4>, 6> PartsOfMethods{ { { 2, 4, 0, 0 },
-    { 0, 0, 0, 0 }, { 0, 1, 0, 0 }, { 1, 3, 0, 0 }, { 1, 3, 2, 0 }, { 1, 3, 0, 1 } } };
-
-  using Connections = std::vector<irradiance::InputConnection>;
-
-  /// All that a result depends on, except the properties.
-  struct Inputs
-  {
-    Connections Static, Dynamic;
-  };
-
-  /// The processes that share the walks; null if a filter downstream has each compute alone.
-  vtkMultiProcessController* GetSharing(vtkIrradianceFilter* filter) const;
-  /// What this process has.
-  Inputs GetInputs(vtkIrradianceFilter* filter, vtkInformationVector** inputs) const;
-  /// Completes what is distributed.
-  void Complete(vtkIrradianceFilter* filter, Inputs& inputs, irradiance::Ranks& ranks);
-  void Compute(vtkIrradianceFilter* filter, const Inputs& inputs, vtkInformation* request,
-    irradiance::Ranks& ranks, vtkMultiBlockDataSet* output, vtkPolyData* walks);
-  void WarnOfExcess(vtkIrradianceFilter* filter);
-  void Advise(
-    vtkIrradianceFilter* filter, const Inputs& inputs, const irradiance::CancelPoint& cancelPoint);
-
-  vtkSmartPointer<vtkMultiProcessController> Controller;
-  irradiance::DynamicPoses Poses;
-  irradiance::DistributedInput Pieces;
-  irradiance::SceneReader Scene;
-  std::uint32_t Processes = 0; ///< that shared the walks when the scene was last read
-  /// Shared with the outputs, see PhotonSource.
-  std::shared_ptr<irradiance::IrradianceEngine> Engine =
-    std::make_shared<irradiance::IrradianceEngine>();
-  std::vector<std::string> Advice; ///< what was probably a mistake when the inputs last changed
-  bool HasExcess = false;          ///< the last update had more light than there is
-  vtkMTimeType Begun = 0; ///< InputTime() when the last execution began, 0 before the first
-  vtkTimeStamp Newest;
-  irradiance::OldNames OldNames;
-  std::array<int, 4> MethodParts = PartsOfMethods[Automatic]; ///< by MethodPart
-  vtkIdType MostWalks = -1; ///< of a target, by its old name; -1: by MaximumEffort
-  int MostRays = -1;        ///< likewise
-};
-
 namespace
 {
+
+/// By method, what each says of DirectLight, CellEstimate, GatherOn and UnbiasedGather.
+constexpr std::array<std::array<int, 4>, 6> PartsOfMethods{ { { 2, 4, 0, 0 }, { 0, 0, 0, 0 },
+  { 0, 1, 0, 0 }, { 1, 3, 0, 0 }, { 1, 3, 2, 0 }, { 1, 3, 0, 1 } } };
 
 constexpr vtkIdType MostWalks = std::numeric_limits<std::uint32_t>::max();
 constexpr int MostRaysOfTarget = 65536;
@@ -114,35 +70,13 @@ vtkIdType Multiplied(vtkIdType number, double effort, vtkIdType usual, vtkIdType
   return product < static_cast<double>(most) ? static_cast<vtkIdType>(product) : most;
 }
 
-/// Throws InputError unless `low` <= value <= `high`.
-std::uint32_t Checked(const char* name, vtkIdType value, vtkIdType low, vtkIdType high)
-{
-  if (value < low || value > high)
-  {
-    throw irradiance::InputError(std::string(name) + " is " + std::to_string(value) + "; " +
-      std::to_string(low) + " to " + std::to_string(high) + " are possible");
-  }
-  return static_cast<std::uint32_t>(value);
-}
-
-/// Of all polydata of an output, in order.
-std::vector<irradiance::PieceCells> PiecesOf(
-  const std::vector<irradiance::InputConnection>& statics,
-  const std::vector<irradiance::InputConnection>& dynamics)
-{
-  std::vector<irradiance::PieceCells> pieces;
-  irradiance::forEachPart(
-    statics, dynamics, [&](const irradiance::InputPart& part) { pieces.push_back(part.cells); });
-  return pieces;
-}
-
 void ReadErrorSettings(vtkIrradianceFilter* filter, irradiance::EngineSettings& settings)
 {
   constexpr vtkIdType mostReplicates = 256;
   const vtkIdType walks = filter->GetNumberOfWalks();
   const double target = filter->GetTargetRelativeError();
   const std::uint32_t replicates =
-    Checked("NumberOfReplicates", filter->GetNumberOfReplicates(), 2, mostReplicates);
+    irradiance::checked("NumberOfReplicates", filter->GetNumberOfReplicates(), 2, mostReplicates);
   if (!(target >= 0 && target <= 1))
   {
     throw irradiance::InputError("TargetRelativeError is " + irradiance::text(target) +
@@ -157,23 +91,18 @@ void ReadErrorSettings(vtkIrradianceFilter* filter, irradiance::EngineSettings& 
     }
     settings.targetRelativeError = target;
     settings.maximumNumberOfWalks =
-      Checked("MaximumNumberOfWalks, which is at least NumberOfWalks,",
+      irradiance::checked("MaximumNumberOfWalks, which is at least NumberOfWalks,",
         filter->GetMaximumNumberOfWalks(), walks, MostWalks);
     settings.maximumGatherRays =
-      Checked("MaximumNumberOfGatherRays, which is at least NumberOfRays,",
+      irradiance::checked("MaximumNumberOfGatherRays, which is at least NumberOfRays,",
         filter->GetMaximumNumberOfGatherRays(), settings.gatherRays, MostRaysOfTarget);
   }
   if (target > 0 || filter->GetComputeStandardError())
   {
-    Checked("NumberOfWalks, with NumberOfReplicates replicates,", walks, replicates, MostWalks);
+    irradiance::checked(
+      "NumberOfWalks, with NumberOfReplicates replicates,", walks, replicates, MostWalks);
     settings.replicates = replicates;
   }
-}
-
-irradiance::LeftToScene LeftToSceneBy(vtkIrradianceFilter* filter)
-{
-  return { filter->GetDirectLight() == vtkIrradianceFilter::AutomaticDirectLight,
-    filter->GetCellEstimate() == vtkIrradianceFilter::AutomaticEstimate };
 }
 
 /// Sums if that is left to the scene.
@@ -213,8 +142,9 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
       "DefaultDiffuseReflectance is " + irradiance::text(reflectance) + "; 0 to 1 is possible");
   }
   irradiance::EngineSettings settings;
-  settings.numberOfWalks = Checked("NumberOfWalks", filter->GetNumberOfWalks(), 1, MostWalks);
-  settings.gatherRays = Checked("NumberOfRays", filter->GetNumberOfRays(), 1, mostRays);
+  settings.numberOfWalks =
+    irradiance::checked("NumberOfWalks", filter->GetNumberOfWalks(), 1, MostWalks);
+  settings.gatherRays = irradiance::checked("NumberOfRays", filter->GetNumberOfRays(), 1, mostRays);
   ReadErrorSettings(filter, settings);
   settings.seed = static_cast<std::uint64_t>(filter->GetSeed());
   settings.traversalMode = static_cast<irradiance::TraversalMode>(filter->GetTraversalMode());
@@ -224,8 +154,8 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
   settings.gathersDirectLight = filter->GetDirectLight() != vtkIrradianceFilter::Shot;
   settings.repairTimeBudget = budget;
   settings.cellEstimate = AskedEstimate(filter);
-  settings.spreadPhotons =
-    Checked("NumberOfSpreadPhotons", filter->GetNumberOfSpreadPhotons(), 1, mostSpreadPhotons);
+  settings.spreadPhotons = irradiance::checked(
+    "NumberOfSpreadPhotons", filter->GetNumberOfSpreadPhotons(), 1, mostSpreadPhotons);
   if (filter->GetGatherOn() != vtkIrradianceFilter::SmallCells &&
     filter->GetGatherOn() != vtkIrradianceFilter::AllCells)
   {
@@ -239,29 +169,6 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
     throw irradiance::InputError(conflict);
   }
   return settings;
-}
-
-vtkInformation* RequestingOutput(vtkInformation* request, vtkInformationVector* outputs)
-{
-  const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
-  return outputs->GetInformationObject(port);
-}
-
-/// The time for which the requested output is to be computed; none if the request names no time.
-std::optional<double> RequestedTime(vtkInformation* request, vtkInformationVector* outputs)
-{
-  auto* const key = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
-  vtkInformation* info = RequestingOutput(request, outputs);
-  return info->Has(key) ? std::optional<double>(info->Get(key)) : std::nullopt;
-}
-
-void SetDataTime(const std::optional<double>& time, vtkInformationVector* outputs)
-{
-  for (int i = 0; time && i < outputs->GetNumberOfInformationObjects(); ++i)
-  {
-    vtkDataObject* output = vtkDataObject::GetData(outputs, i);
-    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), *time);
-  }
 }
 
 /// Has walks stored, and whole on each rank, for filters that read their photons. Throws
@@ -281,19 +188,6 @@ void KeepWhatIsRead(irradiance::EngineSettings& settings, vtkInformation* reques
       std::to_string(ranks.count()) +
       " processes, and each of them would repair other photons for vtkPhotonWalksFilter or "
       "vtkIrradianceProbeFilter: set it to 0");
-  }
-}
-
-/// Throws InputError.
-void CheckLights(const irradiance::SceneReader& scene,
-  const std::vector<irradiance::InputConnection>& statics,
-  const std::vector<irradiance::InputConnection>& dynamics)
-{
-  if (const auto unseen = irradiance::unseenLight(scene.objects()))
-  {
-    throw irradiance::InputError(
-      unseen->message("Method Gathered", scene.nameOf(unseen->light, statics, dynamics),
-        scene.nameOf(unseen->specular, statics, dynamics)));
   }
 }
 
@@ -322,8 +216,207 @@ std::string TargetMissed(const irradiance::IrradianceEngine& engine,
 
 }
 
+class vtkIrradianceFilter::vtkInternals
+{
+public:
+  explicit vtkInternals(vtkIrradianceFilter* filter)
+    : Filter(filter)
+  {
+  }
+
+  /// The processes that share the walks; null if a filter downstream has each compute alone.
+  vtkMultiProcessController* GetSharing() const
+  {
+    const bool isAlone = irradiance::isRequested(
+      this->Filter->GetOutputInformation(0), irradiance::UpstreamRequest::Alone);
+    return isAlone ? nullptr : this->Controller.Get();
+  }
+
+  /// What this process has.
+  irradiance::SceneInputs GetInputs(vtkInformationVector** inputs) const
+  {
+    const int dynamics = inputs[1]->GetNumberOfInformationObjects();
+    const int last = this->Poses.empty() ? -1 : this->Poses.rbegin()->first;
+    const int first = this->Poses.empty() ? 0 : this->Poses.begin()->first;
+    if (first < 0 || last >= dynamics)
+    {
+      throw irradiance::InputError("there is a transform for dynamic connection " +
+        std::to_string(first < 0 ? first : last) + ", but input port 1 has " +
+        std::to_string(dynamics) + " connections");
+    }
+    irradiance::SceneInputs read;
+    for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i)
+    {
+      read.statics.push_back(
+        irradiance::staticConnection(this->Filter, i, vtkDataObject::GetData(inputs[0], i)));
+    }
+    for (int i = 0; i < dynamics; ++i)
+    {
+      read.dynamics.push_back(
+        irradiance::dynamicConnection(this->Filter, i, vtkDataObject::GetData(inputs[1], i),
+          this->Filter->GetDynamicTransform(i), this->Filter->GetPoseArrayName()));
+    }
+    return read;
+  }
+
+  /// Completes what is distributed.
+  void Complete(irradiance::SceneInputs& inputs, irradiance::ControllerRanks& ranks)
+  {
+    if (this->Filter->GetDistributedInput())
+    {
+      if (!this->GetSharing() && irradiance::ControllerRanks(this->Controller).areSeveral())
+      {
+        throw irradiance::InputError(
+          "DistributedInput is on, but the processes share the times of a "
+          "vtkRadiantExposureFilter, so each needs the whole scene: set it to off, or that "
+          "filter's Controller to null");
+      }
+      this->Pieces.complete(this->Filter, ranks, inputs);
+    }
+    irradiance::checkChosenArrays(this->Filter, inputs);
+  }
+
+  void Compute(const irradiance::SceneInputs& inputs, vtkInformation* request,
+    irradiance::Ranks& ranks, vtkMultiBlockDataSet* output, vtkPolyData* walks)
+  {
+    irradiance::EngineSettings settings = CheckedSettings(this->Filter);
+    const irradiance::WalksRequest shown{ this->Filter->GetNumberOfOutputWalks(),
+      this->Filter->GetOutputWalksPort(), this->Filter->GetOutputWalksConnection(),
+      this->Filter->GetOutputWalksCell() };
+    ranks.expectSame(shown.hash(), "other output walks than on the first process");
+    irradiance::SmpExecution execution = irradiance::executionOf(this->Filter, &ranks);
+    if (!execution.reportProgress(0)) // an update with nothing to do does not report again
+    {
+      throw irradiance::Interrupted();
+    }
+    const irradiance::CancelPoint reading = irradiance::cancelPointOf(execution, 0);
+    if (std::exchange(this->Processes, ranks.count()) != ranks.count())
+    {
+      // Processes that worked alone may have seen different parts come.
+      this->Scene = irradiance::SceneReader();
+    }
+    this->Scene.read(inputs, this->Filter->GetDefaultDiffuseReflectance(), reading);
+    for (const std::string& warning : this->Scene.takeWarnings())
+    {
+      vtkWarningWithObjectMacro(this->Filter, << warning);
+    }
+    const bool gathers = settings.cellEstimate == irradiance::CellEstimate::Gathered;
+    if (const auto unseen = gathers ? irradiance::unseenLight(this->Scene.objects()) : std::nullopt)
+    {
+      throw irradiance::InputError(unseen->message("Method Gathered",
+        this->Scene.nameOf(unseen->light, inputs), this->Scene.nameOf(unseen->specular, inputs)));
+    }
+    const irradiance::LeftToScene left{ this->Filter->GetDirectLight() == AutomaticDirectLight,
+      this->Filter->GetCellEstimate() == AutomaticEstimate };
+    settings = this->Engine->chosen(left, this->Scene.objects(), settings, execution);
+    KeepWhatIsRead(settings, request, shown.count > 0, ranks);
+    const auto count = static_cast<std::size_t>(ranks.count());
+    irradiance::requireMemory(this->Scene.objects(), settings, count);
+    try
+    {
+      this->Engine->update(this->Scene.objects(), settings, execution);
+    }
+    catch (const std::bad_alloc&)
+    {
+      throw std::runtime_error(irradiance::outOfMemory(this->Scene.objects(), settings, count));
+    }
+    if (this->Engine->reachedRelativeError() > settings.targetRelativeError)
+    {
+      vtkWarningWithObjectMacro(
+        this->Filter, << TargetMissed(*this->Engine, settings, this->Filter->GetMaximumEffort()));
+    }
+    const irradiance::CancelPoint writing = irradiance::cancelPointOf(execution, 1);
+    this->WarnOfExcess();
+    this->Advise(inputs, writing);
+    irradiance::writeOutput(*this->Engine, this->Scene, inputs,
+      this->Filter->GetComputeStandardError() != 0,
+      irradiance::isRequested(request, irradiance::UpstreamRequest::Replicates), writing, output);
+    std::vector<irradiance::PieceCells> pieces;
+    for (const irradiance::InputPart* part : irradiance::allPartsOf(inputs))
+    {
+      pieces.push_back(part->cells);
+    }
+    irradiance::PhotonSource::attach(output, this->Engine, std::move(pieces));
+    if (shown.count > 0)
+    {
+      irradiance::ProgressSpan atItsEnd(execution, 1, 1);
+      const irradiance::PhotonSource source(output, "the output");
+      irradiance::writeWalks(shown, source, output, atItsEnd, walks);
+    }
+  }
+
+  /// Sets a property whose name is old; `what` to do instead.
+  template <class T>
+  void SetOld(T& property, T value, const char* name, const char* what)
+  {
+    if (std::exchange(property, value) != value)
+    {
+      this->OldNames.warn(this->Filter, name, what);
+      this->Filter->Modified();
+    }
+  }
+
+  vtkSmartPointer<vtkMultiProcessController> Controller;
+  /// By the dynamic connection to which the user gave it; not null.
+  std::map<int, vtkSmartPointer<vtkLinearTransform>> Poses;
+  vtkMTimeType Begun = 0; ///< InputTime() when the last execution began, 0 before the first
+  vtkTimeStamp Newest;
+  irradiance::OldNames OldNames;
+  std::array<int, 4> MethodParts = PartsOfMethods[Automatic]; ///< by MethodPart
+  vtkIdType MostWalks = -1; ///< of a target, by its old name; -1: by MaximumEffort
+  int MostRays = -1;        ///< likewise
+
+private:
+  /// Whenever an update begins to have more light than there is.
+  void WarnOfExcess()
+  {
+    const irradiance::IrradianceEngine& engine = *this->Engine;
+    std::string excess;
+    for (int band = 0; band < irradiance::Power::kMaxBands && excess.empty(); ++band)
+    {
+      excess = irradiance::excessWarning(engine.watts(engine.balance().emitted[band]),
+        engine.watts(engine.balance().escaped[band]), engine.escapedError(band));
+    }
+    if (!std::exchange(this->HasExcess, !excess.empty()) && !excess.empty())
+    {
+      vtkWarningWithObjectMacro(this->Filter, << excess);
+    }
+  }
+
+  /// Says what is probably a mistake, unless it said so when the inputs last changed.
+  void Advise(const irradiance::SceneInputs& inputs, const irradiance::CancelPoint& cancelPoint)
+  {
+    if (!this->Scene.hasNews())
+    {
+      return;
+    }
+    const std::vector<std::string> advice = this->Engine->hasLights()
+      ? irradiance::sceneAdvice(inputs, this->Scene, *this->Engine, cancelPoint)
+      : std::vector<std::string>(1, irradiance::noLightWarning(this->Filter, inputs));
+    this->Scene.forgetNews();
+    const std::vector<std::string> before = std::exchange(this->Advice, advice);
+    for (const std::string& warning : advice)
+    {
+      if (std::find(before.begin(), before.end(), warning) == before.end())
+      {
+        vtkWarningWithObjectMacro(this->Filter, << warning);
+      }
+    }
+  }
+
+  vtkIrradianceFilter* Filter;
+  irradiance::DistributedInput Pieces;
+  irradiance::SceneReader Scene;
+  std::uint32_t Processes = 0; ///< that shared the walks when the scene was last read
+  /// Shared with the outputs, see PhotonSource.
+  std::shared_ptr<irradiance::IrradianceEngine> Engine =
+    std::make_shared<irradiance::IrradianceEngine>();
+  std::vector<std::string> Advice; ///< what was probably a mistake when the inputs last changed
+  bool HasExcess = false;          ///< the last update had more light than there is
+};
+
 vtkIrradianceFilter::vtkIrradianceFilter()
-  : Internals(new vtkInternals)
+  : Internals(new vtkInternals(this))
 {
   this->Internals->Controller = vtkMultiProcessController::GetGlobalController();
   this->SetNumberOfInputPorts(2);
@@ -342,15 +435,22 @@ vtkIrradianceFilter::~vtkIrradianceFilter()
 
 void vtkIrradianceFilter::SetDynamicTransform(int i, vtkLinearTransform* worldFromObject)
 {
-  if (this->Internals->Poses.set(i, worldFromObject))
+  if (this->GetDynamicTransform(i) != worldFromObject)
   {
+    this->Internals->Poses.erase(i);
+    if (worldFromObject)
+    {
+      this->Internals->Poses[i] = worldFromObject;
+    }
     this->Modified();
   }
 }
 
 vtkLinearTransform* vtkIrradianceFilter::GetDynamicTransform(int i)
 {
-  return this->Internals->Poses.transform(i);
+  const auto& poses = this->Internals->Poses;
+  const auto found = poses.find(i);
+  return found == poses.end() ? nullptr : found->second.Get();
 }
 
 void vtkIrradianceFilter::SetDynamicTransformInterpolator(int i, vtkTransformInterpolator*)
@@ -375,8 +475,9 @@ vtkMultiProcessController* vtkIrradianceFilter::GetController()
 
 void vtkIrradianceFilter::RemoveAllDynamicTransforms()
 {
-  if (this->Internals->Poses.removeAll())
+  if (!this->Internals->Poses.empty())
   {
+    this->Internals->Poses.clear();
     this->Modified();
   }
 }
@@ -439,15 +540,16 @@ double vtkIrradianceFilter::GetFigure(const char* name)
 
 double vtkIrradianceFilter::GetOldFigure(const char* getter, const char* name)
 {
+  name = name ? name : getter;
   this->Internals->OldNames.warn(
-    this, std::string(getter) + "()", std::string("call GetFigure(\"") + name + "\")");
+    this, std::string("Get") + getter + "()", std::string("call GetFigure(\"") + name + "\")");
   return this->GetFigure(name);
 }
 
 void vtkIrradianceFilter::SetMethod(int method)
 {
   const std::size_t clamped = std::min<std::size_t>(std::max(0, method), PathTraced);
-  const std::array<int, 4>& parts = vtkInternals::PartsOfMethods[clamped];
+  const std::array<int, 4>& parts = PartsOfMethods[clamped];
   if (std::exchange(this->Internals->MethodParts, parts) != parts)
   {
     this->Modified();
@@ -456,7 +558,7 @@ void vtkIrradianceFilter::SetMethod(int method)
 
 int vtkIrradianceFilter::GetMethod()
 {
-  const auto& all = vtkInternals::PartsOfMethods;
+  const auto& all = PartsOfMethods;
   const auto* const found = std::find(all.begin(), all.end(), this->Internals->MethodParts);
   return found == all.end() ? -1 : static_cast<int>(found - all.begin());
 }
@@ -496,11 +598,8 @@ void vtkIrradianceFilter::SetNumberOfGatherRays(int rays)
 
 void vtkIrradianceFilter::SetMaximumNumberOfWalks(vtkIdType walks)
 {
-  if (std::exchange(this->Internals->MostWalks, walks) != walks)
-  {
-    this->Internals->OldNames.warn(this, "MaximumNumberOfWalks", "set MaximumEffort");
-    this->Modified();
-  }
+  this->Internals->SetOld(
+    this->Internals->MostWalks, walks, "MaximumNumberOfWalks", "set MaximumEffort");
 }
 
 vtkIdType vtkIrradianceFilter::GetMaximumNumberOfWalks()
@@ -512,11 +611,8 @@ vtkIdType vtkIrradianceFilter::GetMaximumNumberOfWalks()
 
 void vtkIrradianceFilter::SetMaximumNumberOfGatherRays(int rays)
 {
-  if (std::exchange(this->Internals->MostRays, rays) != rays)
-  {
-    this->Internals->OldNames.warn(this, "MaximumNumberOfGatherRays", "set MaximumEffort");
-    this->Modified();
-  }
+  this->Internals->SetOld(
+    this->Internals->MostRays, rays, "MaximumNumberOfGatherRays", "set MaximumEffort");
 }
 
 int vtkIrradianceFilter::GetMaximumNumberOfGatherRays()
@@ -529,12 +625,8 @@ int vtkIrradianceFilter::GetMaximumNumberOfGatherRays()
 
 void vtkIrradianceFilter::SetNumberOfOutputWalks(vtkIdType walks)
 {
-  if (this->NumberOfOutputWalks != walks)
-  {
-    this->Internals->OldNames.warn(this, "NumberOfOutputWalks", "use a vtkPhotonWalksFilter");
-    this->NumberOfOutputWalks = walks;
-    this->Modified();
-  }
+  this->Internals->SetOld(
+    this->NumberOfOutputWalks, walks, "NumberOfOutputWalks", "use a vtkPhotonWalksFilter");
 }
 
 vtkMTimeType vtkIrradianceFilter::GetMTime()
@@ -552,7 +644,12 @@ vtkMTimeType vtkIrradianceFilter::GetMTime()
 /// The latest change of the filter and its transforms.
 vtkMTimeType vtkIrradianceFilter::OwnTime()
 {
-  return std::max(this->Superclass::GetMTime(), this->Internals->Poses.changeTime());
+  vtkMTimeType time = this->Superclass::GetMTime();
+  for (const auto& [connection, pose] : this->Internals->Poses)
+  {
+    time = std::max(time, pose->GetMTime());
+  }
+  return time;
 }
 
 /// The latest change of these and of anything upstream.
@@ -583,20 +680,14 @@ bool vtkIrradianceFilter::HasChangedMeanwhile()
 
 vtkExecutive* vtkIrradianceFilter::CreateDefaultExecutive()
 {
-  auto* pipeline = irradiance::RanksPipeline::New();
-  pipeline->upstreamFailed = [this] {
-    irradiance::ControllerRanks(this->Internals->GetSharing(this)).withdraw();
-  };
-  return pipeline;
+  return irradiance::newRanksPipeline(
+    [this] { irradiance::ControllerRanks(this->Internals->GetSharing()).withdraw(); });
 }
 
 int vtkIrradianceFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  // Composite types first: else the executive would call the filter for each block separately.
-  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
   // It refuses what is no polydata itself, once and with a hint; the executive repeats itself.
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+  irradiance::setInputTypes(info, "vtkDataObjectTree", "vtkDataObject");
   info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
@@ -622,8 +713,7 @@ vtkAlgorithmOutput* vtkIrradianceFilter::GetWalksOutputPort()
 int vtkIrradianceFilter::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* output)
 {
-  irradiance::TimeKeys times(inputs, 2);
-  times.write(output);
+  irradiance::uniteTimes(inputs, 2, output);
   return 1;
 }
 
@@ -632,7 +722,7 @@ int vtkIrradianceFilter::RequestInformation(
 int vtkIrradianceFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  const irradiance::ControllerRanks ranks(this->Internals->GetSharing(this));
+  const irradiance::ControllerRanks ranks(this->Internals->GetSharing());
   for (int port = 0; port < 2; ++port)
   {
     for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
@@ -645,160 +735,6 @@ int vtkIrradianceFilter::RequestUpdateExtent(
   return 1;
 }
 
-vtkMultiProcessController* vtkIrradianceFilter::vtkInternals::GetSharing(
-  vtkIrradianceFilter* filter) const
-{
-  const bool isAlone =
-    irradiance::isRequested(filter->GetOutputInformation(0), irradiance::UpstreamRequest::Alone);
-  return isAlone ? nullptr : this->Controller.Get();
-}
-
-vtkIrradianceFilter::vtkInternals::Inputs vtkIrradianceFilter::vtkInternals::GetInputs(
-  vtkIrradianceFilter* filter, vtkInformationVector** inputs) const
-{
-  const int dynamics = inputs[1]->GetNumberOfInformationObjects();
-  const int last = this->Poses.isEmpty() ? -1 : this->Poses.lastConnection();
-  const int first = this->Poses.isEmpty() ? 0 : this->Poses.firstConnection();
-  if (first < 0 || last >= dynamics)
-  {
-    throw irradiance::InputError("there is a transform for dynamic connection " +
-      std::to_string(first < 0 ? first : last) + ", but input port 1 has " +
-      std::to_string(dynamics) + " connections");
-  }
-  Inputs read;
-  for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i)
-  {
-    read.Static.push_back(
-      irradiance::staticConnection(filter, i, vtkDataObject::GetData(inputs[0], i)));
-  }
-  for (int i = 0; i < dynamics; ++i)
-  {
-    read.Dynamic.push_back(irradiance::dynamicConnection(filter, i,
-      vtkDataObject::GetData(inputs[1], i), this->Poses.transform(i), filter->GetPoseArrayName()));
-  }
-  return read;
-}
-
-void vtkIrradianceFilter::vtkInternals::Complete(
-  vtkIrradianceFilter* filter, Inputs& inputs, irradiance::Ranks& ranks)
-{
-  if (filter->GetDistributedInput())
-  {
-    if (!this->GetSharing(filter) && irradiance::ControllerRanks(this->Controller).areSeveral())
-    {
-      throw irradiance::InputError(
-        "DistributedInput is on, but the processes share the times of a vtkRadiantExposureFilter, "
-        "so each needs the whole scene: set it to off, or that filter's Controller to null");
-    }
-    this->Pieces.complete(filter, this->GetSharing(filter), ranks, inputs.Static, inputs.Dynamic);
-  }
-  irradiance::checkChosenArrays(filter, inputs.Static, inputs.Dynamic);
-}
-
-/// Whenever an update begins to have more light than there is.
-void vtkIrradianceFilter::vtkInternals::WarnOfExcess(vtkIrradianceFilter* filter)
-{
-  const irradiance::IrradianceEngine& engine = *this->Engine;
-  std::string excess;
-  for (int band = 0; band < irradiance::Power::kMaxBands && excess.empty(); ++band)
-  {
-    excess = irradiance::excessWarning(engine.watts(engine.balance().emitted[band]),
-      engine.watts(engine.balance().escaped[band]), engine.escapedError(band));
-  }
-  if (!std::exchange(this->HasExcess, !excess.empty()) && !excess.empty())
-  {
-    vtkWarningWithObjectMacro(filter, << excess);
-  }
-}
-
-/// Says what is probably a mistake, unless it said so when the inputs last changed.
-void vtkIrradianceFilter::vtkInternals::Advise(
-  vtkIrradianceFilter* filter, const Inputs& inputs, const irradiance::CancelPoint& cancelPoint)
-{
-  if (!this->Scene.hasNews())
-  {
-    return;
-  }
-  const std::vector<std::string> advice = this->Engine->hasLights()
-    ? irradiance::SceneAdvice(
-        inputs.Static, inputs.Dynamic, this->Scene, *this->Engine, cancelPoint)
-        .warnings()
-    : std::vector<std::string>(
-        1, irradiance::noLightWarning(filter, inputs.Static, inputs.Dynamic));
-  this->Scene.forgetNews();
-  const std::vector<std::string> before = std::exchange(this->Advice, advice);
-  for (const std::string& warning : advice)
-  {
-    if (std::find(before.begin(), before.end(), warning) == before.end())
-    {
-      vtkWarningWithObjectMacro(filter, << warning);
-    }
-  }
-}
-
-void vtkIrradianceFilter::vtkInternals::Compute(vtkIrradianceFilter* filter, const Inputs& inputs,
-  vtkInformation* request, irradiance::Ranks& ranks, vtkMultiBlockDataSet* output,
-  vtkPolyData* walks)
-{
-  irradiance::EngineSettings settings = CheckedSettings(filter);
-  const irradiance::WalksRequest shown{ filter->GetNumberOfOutputWalks(),
-    filter->GetOutputWalksPort(), filter->GetOutputWalksConnection(),
-    filter->GetOutputWalksCell() };
-  ranks.expectSame(shown.hash(), "other output walks than on the first process");
-  irradiance::SmpExecution execution = irradiance::executionOf(filter, &ranks);
-  if (!execution.reportProgress(0)) // an update with nothing to do does not report again
-  {
-    throw irradiance::Interrupted();
-  }
-  const irradiance::CancelPoint reading = irradiance::cancelPointOf(execution, 0);
-  if (std::exchange(this->Processes, ranks.count()) != ranks.count())
-  {
-    // Processes that worked alone may have seen different parts come.
-    this->Scene = irradiance::SceneReader();
-  }
-  this->Scene.read(inputs.Static, inputs.Dynamic, filter->GetDefaultDiffuseReflectance(), reading);
-  for (const std::string& warning : this->Scene.takeWarnings())
-  {
-    vtkWarningWithObjectMacro(filter, << warning);
-  }
-  if (settings.cellEstimate == irradiance::CellEstimate::Gathered)
-  {
-    CheckLights(this->Scene, inputs.Static, inputs.Dynamic);
-  }
-  settings =
-    this->Engine->chosen(LeftToSceneBy(filter), this->Scene.objects(), settings, execution);
-  KeepWhatIsRead(settings, request, shown.count > 0, ranks);
-  const auto count = static_cast<std::size_t>(ranks.count());
-  irradiance::requireMemory(this->Scene.objects(), settings, count);
-  try
-  {
-    this->Engine->update(this->Scene.objects(), settings, execution);
-  }
-  catch (const std::bad_alloc&)
-  {
-    throw std::runtime_error(irradiance::outOfMemory(this->Scene.objects(), settings, count));
-  }
-  if (this->Engine->reachedRelativeError() > settings.targetRelativeError)
-  {
-    vtkWarningWithObjectMacro(
-      filter, << TargetMissed(*this->Engine, settings, filter->GetMaximumEffort()));
-  }
-  const irradiance::CancelPoint writing = irradiance::cancelPointOf(execution, 1);
-  this->WarnOfExcess(filter);
-  this->Advise(filter, inputs, writing);
-  irradiance::OutputWriter(*this->Engine, this->Scene, settings,
-    filter->GetComputeStandardError() != 0,
-    irradiance::isRequested(request, irradiance::UpstreamRequest::Replicates), writing)
-    .write(inputs.Static, inputs.Dynamic, output);
-  irradiance::PhotonSource::attach(output, this->Engine, PiecesOf(inputs.Static, inputs.Dynamic));
-  if (shown.count > 0)
-  {
-    irradiance::ProgressSpan atItsEnd(execution, 1, 1);
-    const irradiance::PhotonSource source(output, "the output");
-    irradiance::WalksWriter(shown, source, output).write(atItsEnd, walks);
-  }
-}
-
 int vtkIrradianceFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -806,13 +742,16 @@ int vtkIrradianceFilter::RequestData(
   vtkPolyData* walks = vtkPolyData::GetData(outputs, 1);
   const int connections =
     inputs[0]->GetNumberOfInformationObjects() + inputs[1]->GetNumberOfInformationObjects();
-  const bool isUnused = connections == 0 && this->Internals->Poses.isEmpty();
-  const std::optional<double> time = RequestedTime(request, outputs);
+  const bool isUnused = connections == 0 && this->Internals->Poses.empty();
+  vtkInformation* asked =
+    outputs->GetInformationObject(std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT())));
+  auto* const timeKey = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
+  const auto time = asked->Has(timeKey) ? std::optional<double>(asked->Get(timeKey)) : std::nullopt;
   if (!isUnused)
   {
     this->Internals->Begun = this->InputTime();
   }
-  irradiance::ControllerRanks ranks(this->Internals->GetSharing(this));
+  irradiance::ControllerRanks ranks(this->Internals->GetSharing());
   const auto compute = [&] {
     ranks.expectSame((isUnused ? 1 : 0) + (this->DistributedInput ? 2 : 0),
       "other inputs than on the first process");
@@ -820,25 +759,30 @@ int vtkIrradianceFilter::RequestData(
     {
       return;
     }
-    vtkInternals::Inputs read = this->Internals->GetInputs(this, inputs);
-    this->Internals->Complete(this, read, ranks);
-    const bool isLaterPiece = irradiance::isEmptyPieceRequested(RequestingOutput(request, outputs));
+    irradiance::SceneInputs read = this->Internals->GetInputs(inputs);
+    this->Internals->Complete(read, ranks);
+    const bool isLaterPiece = irradiance::isEmptyPieceRequested(asked);
     const bool isEmpty = isLaterPiece && !this->DistributedInput;
     if (!isEmpty || ranks.areSeveral())
     {
-      this->Internals->Compute(this, read, outputs->GetInformationObject(0), ranks, output, walks);
+      this->Internals->Compute(read, outputs->GetInformationObject(0), ranks, output, walks);
     }
     if (isEmpty)
     {
       output->Initialize();
-      irradiance::OutputWriter::writeEmpty(
-        read.Static, read.Dynamic, CheckedSettings(this), this->ComputeStandardError != 0, output);
+      irradiance::writeEmptyOutput(
+        read, CheckedSettings(this), this->ComputeStandardError != 0, output);
     }
     if (isLaterPiece)
     {
       walks->Initialize(); // each walk once
     }
-    SetDataTime(time, outputs);
+    for (int i = 0; time && i < outputs->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkDataObject::GetData(outputs, i)
+        ->GetInformation()
+        ->Set(vtkDataObject::DATA_TIME_STEP(), *time);
+    }
   };
   return irradiance::runFilter(this, output, compute, &ranks);
 }

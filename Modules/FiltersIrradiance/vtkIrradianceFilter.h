@@ -24,10 +24,9 @@
  * Port 0 takes what stays, port 1 what moves, each any number of vtkPolyData, or composite data of
  * them. Polygons and triangle strips are surfaces, opaque, whose front is the side from which
  * points run counter-clockwise; vertex cells with a flux are point lights. Where a pose mirrors
- * (its determinant is negative), the front is the mirror image of the front, as in glTF, on which
- * points run clockwise in the world; the cells of the output keep their own order of points. All
- * lengths are metres. Cell arrays have one component, or three for three bands.
- * SetInputArrayToProcess(index, ...) chooses others:
+ * (its determinant is negative), the front is the mirror image of the front, as in glTF; the cells
+ * of the output keep their own order of points. All lengths are metres. Cell arrays have one
+ * component, or three for three bands. SetInputArrayToProcess(index, ...) chooses others:
  * | index | default name         | meaning                                        |
  * |-------|----------------------|------------------------------------------------|
  * | 0     | RadiantExitance      | W/m2 emitted from the front, diffuse; >= 0     |
@@ -83,12 +82,11 @@ public:
 
   /// @{
   /**
-   * Pose (model to world) of the i-th connection of port 1, null for none: then the pose is the
-   * field-data array `ObjectToWorld` (16 values, row by row) of the input, or else the identity.
-   * Any invertible affine map will do. A leaf of composite data with an `ObjectToWorld` is moved by
-   * that first. It is kept by reference: setting or changing it makes the filter execute, even if
-   * an observer of the progress changes it during a run. Indices follow the connections: after
-   * removing one, set the transforms again.
+   * Pose (model to world) of the i-th connection of port 1, an invertible affine map; null: the
+   * field-data array `ObjectToWorld` (16 values, row by row) of the input, or else the identity. A
+   * leaf of composite data with an `ObjectToWorld` is moved by that first. It is kept by reference:
+   * setting or changing it makes the filter execute, even during a run. Indices follow the
+   * connections: after removing one, set the transforms again.
    */
   void SetDynamicTransform(int i, vtkLinearTransform* worldFromObject);
   vtkLinearTransform* GetDynamicTransform(int i);
@@ -121,10 +119,9 @@ public:
   /// @{
   /**
    * See Methods. Walks and PathTraced are without bias. SpreadWalks trades noise for blur. Rays of
-   * Gathered and GatheredEverywhere take the cells that they hit for evenly lit, which is a bias of
-   * about a percent; it shrinks with these cells. An update equals a new filter's result, bit for
-   * bit, with each of them. The fields `DirectLight` (0 shot, 1
-   * gathered) and `CellEstimate` (0 sums, 1 spread, 3 rays) of the output say what Automatic chose.
+   * Gathered and GatheredEverywhere take the cells that they hit for evenly lit, a bias of about a
+   * percent that shrinks with these cells. The fields `DirectLight` (0 shot, 1 gathered) and
+   * `CellEstimate` (0 sums, 1 spread, 3 rays) of the output say what Automatic chose.
    *
    * With the three last methods, and where Automatic gathers, `EmittedPower` is that of the lights
    * and equals `AbsorbedPower` + `EscapedPower`, but how these divide is an estimate: in a closed
@@ -157,9 +154,9 @@ public:
    * How many rays look for the indirect light of each side of a small cell where cells cast rays, 1
    * to 4096; with error bars rounded up to a multiple of NumberOfReplicates. A cell is small if it
    * would receive fewer than two photons for each ray when NumberOfWalks walks arrived evenly over
-   * all area; with GatheredEverywhere a large one casts four times as many. The noise falls with
-   * the root of the number, or faster; the time grows with it. Each cell gathers its direct light
-   * with half as many samples at least, or 8. Default 32.
+   * all area; with GatheredEverywhere a large one casts four times as many. Each cell gathers its
+   * direct light with half as many samples at least, or 8. The noise falls with the root of the
+   * number, or faster. Default 32.
    */
   vtkSetMacro(NumberOfRays, int);
   vtkGetMacro(NumberOfRays, int);
@@ -169,11 +166,10 @@ public:
   /**
    * 0 to 1; 5 % is 0.05. If positive, NumberOfWalks are shot first, and their number is doubled
    * until the half-width of the 95 % interval is at most this times the irradiance on 95 % of the
-   * area. Where cells cast rays, NumberOfRays is doubled likewise, whichever promises more for its
-   * time. If MaximumEffort is too little for that, a warning says what was reached. A cell that has
-   * received nothing meets the target if 3 more photons would make it no brighter than this times
-   * the average; a cell with too few photons does not. Updates shoot more or fewer, as the scene
-   * needs. 0: no target. Default 0.
+   * area; where cells cast rays, NumberOfRays likewise, whichever promises more for its time. If
+   * MaximumEffort is too little for that, a warning says what was reached. A cell that has received
+   * nothing meets the target if 3 more photons would make it no brighter than this times the
+   * average; a cell with too few photons does not. 0, the default: no target.
    */
   vtkSetMacro(TargetRelativeError, double);
   vtkGetMacro(TargetRelativeError, double);
@@ -217,23 +213,20 @@ public:
 
   /// @{
   /**
-   * Seconds that the repair of an update may take; 0: no limit. Verification does not count, nor
-   * does the first shooting. No effect if UpdateMode is Rebuild or everything has to be shot again:
-   * then nothing is stale. What is left is repaired by the next executions: without motion call
-   * Modified() and Update() until GetFigure("StalePower") is 0. Until then the cell array
-   * `StaleIrradiance` (`StaleIrradianceFront`, `StaleIrradianceBack`; W/m2) is the part of the
-   * irradiance that rests on walks that are no longer valid, and the field `StaleGainBound` (W) is
-   * the most that the full update can bring to all cells together. See "A time budget" in the
-   * Guide. Default 0.
+   * Seconds that the repair of an update may take; 0, the default: no limit. Verification does not
+   * count, nor does shooting if UpdateMode is Rebuild or everything has to be shot again. What is
+   * left is repaired by the next executions: without motion call Modified() and Update() until
+   * GetFigure("StalePower") is 0. Until then the cell array `StaleIrradiance`
+   * (`StaleIrradianceFront`, `StaleIrradianceBack`; W/m2) is the part of the irradiance that rests
+   * on walks that are no longer valid, and the field `StaleGainBound` (W) is the most that the full
+   * update can bring to all cells together. See "A time budget" in the Guide.
    */
   vtkSetMacro(RepairTimeBudget, double);
   vtkGetMacro(RepairTimeBudget, double);
   /// @}
 
   /// @{
-  /**
-   * Diffuse reflectance, 0..1, of inputs without such an array. Default 0.5.
-   */
+  /** Diffuse reflectance, 0..1, of inputs without such an array. Default 0.5. */
   vtkSetMacro(DefaultDiffuseReflectance, double);
   vtkGetMacro(DefaultDiffuseReflectance, double);
   /// @}
@@ -248,14 +241,13 @@ public:
 
   /// @{
   /**
-   * The processes that share the walks; null: this one alone. Each process has the whole scene,
-   * shoots and stores its part of the walks, and has the whole output, with the bits that one
-   * process alone would give. All of them have to update the filter at the same time, with the same
-   * inputs and settings; else, or if one fails, each has one error. HistoryBytes and the seconds
-   * are this process's own. Where single photons are read (vtkPhotonWalksFilter,
-   * vtkIrradianceProbeFilter with Estimate Nearest) each process shoots and stores all walks; with
-   * several processes that excludes a RepairTimeBudget. See "Several processes" in the Guide.
-   * Default: VTK's global controller when the filter is made, so this process alone unless a
+   * The processes that share the walks; null: this one alone. Each has the whole scene, shoots and
+   * stores its part of the walks, and has the whole output, with the bits of one process alone. All
+   * have to update the filter at the same time, with the same inputs and settings; else, or if one
+   * fails, each has one error. HistoryBytes and the seconds are this process's own. Where single
+   * photons are read (vtkPhotonWalksFilter, vtkIrradianceProbeFilter with Estimate Nearest) each
+   * shoots and stores all walks, which excludes a RepairTimeBudget. See "Several processes" in the
+   * Guide. Default: VTK's global controller when the filter is made, so this process alone unless a
    * program, such as ParaView's server, has set another.
    */
   virtual void SetController(vtkMultiProcessController* controller);
@@ -282,9 +274,7 @@ public:
   };
 
   /// @{
-  /**
-   * See TraversalModes. Default Parallel.
-   */
+  /** See TraversalModes. Default Parallel. */
   vtkSetClampMacro(TraversalMode, int, OneTree, Parallel);
   vtkGetMacro(TraversalMode, int);
   void SetTraversalModeToOneTree() { this->SetTraversalMode(OneTree); }
@@ -300,9 +290,7 @@ public:
   };
 
   /// @{
-  /**
-   * See UpdateModes. Default Verify.
-   */
+  /** See UpdateModes. Default Verify. */
   vtkSetClampMacro(UpdateMode, int, Rebuild, Verify);
   vtkGetMacro(UpdateMode, int);
   void SetUpdateModeToRebuild() { this->SetUpdateMode(Rebuild); }
@@ -312,8 +300,8 @@ public:
   /// @{
   /**
    * Whether a static hit that a dynamic object hides is kept for when the object has gone again.
-   * Changes the time, not the result. Default off: to keep the hits costs more than they save,
-   * about 15 % of a frame, also where a part goes to and fro.
+   * The result is the same. Default off: to keep the hits costs about 15 % of a frame, more than
+   * they save.
    */
   vtkSetMacro(CacheStaticHits, vtkTypeBool);
   vtkGetMacro(CacheStaticHits, vtkTypeBool);
@@ -323,9 +311,8 @@ public:
   /// @{
   /**
    * Number of independent replicates from which errors are estimated, 2 to 256. With few, the
-   * estimate is crude and the interval wide (ConfidenceFactor 12.7 with 2, 2.13 with 16, 2.00 with
-   * 64). With many, each has few walks, and less is gained by the evenness of the samples.
-   * Default 16.
+   * interval is wide (ConfidenceFactor 12.7 with 2, 2.13 with 16, 2.00 with 64); with many, each
+   * has few walks, and less is gained by the evenness of the samples. Default 16.
    */
   vtkSetMacro(NumberOfReplicates, int);
   vtkGetMacro(NumberOfReplicates, int);
@@ -343,14 +330,14 @@ public:
 
   /// @{
   /**
-   * Whether each process of the Controller has a piece of every input, instead of all of it. Then
-   * the filter asks for pieces, puts them together on each process, and its output has the cells of
-   * the process's own pieces. Cells are ordered by their global ids, if they have some, and else by
-   * their places, so the result does not depend on the division; it has other bits than that of the
-   * same input in another order. A part that all processes have alike is whole, and counts once.
-   * All pieces with cells need the same cell arrays, and the inputs the same blocks, on each
-   * process; the pose of a part is that of the first process that has cells of it. Walks to look
-   * at cannot be chosen by a cell. Default off.
+   * Whether each process of the Controller has a piece of every input, instead of all of it. The
+   * filter puts the pieces together on each process; its output has the cells of the process's own.
+   * Cells are ordered by their global ids, if they have some, and else by their places, so the
+   * result does not depend on the division; it has other bits than that of the same input in
+   * another order. A part that all processes have alike is whole, and counts once. All pieces with
+   * cells need the same cell arrays, and the inputs the same blocks; the pose of a part is that of
+   * the first process that has cells of it. Walks to look at cannot be chosen by a cell. Default
+   * off.
    */
   vtkSetMacro(DistributedInput, vtkTypeBool);
   vtkGetMacro(DistributedInput, vtkTypeBool);
@@ -362,8 +349,8 @@ public:
    * The name of a further field-data array with a pose (16 values, row by row), by which each part
    * of port 1 that has one is moved first: world = transform or `ObjectToWorld` * this. If a part
    * of a connection has it, all with cells need it. `globalTransform` is for vtkGLTFReader with
-   * ApplyDeformationsToGeometry off; with that on, the array is there as well, but its points have
-   * been moved already. Null or empty: none. Default none.
+   * ApplyDeformationsToGeometry off (with that on, points have been moved already). Null or empty,
+   * the default: none.
    */
   vtkSetStringMacro(PoseArrayName);
   vtkGetStringMacro(PoseArrayName);
@@ -436,38 +423,23 @@ public:
   void SetDynamicTransformInterpolator(int i, vtkTransformInterpolator* worldFromObject);
 
   /// Of GetFigure().
-  double GetEmittedPower() { return this->GetOldFigure("GetEmittedPower", "EmittedPower"); }
-  double GetAbsorbedPower() { return this->GetOldFigure("GetAbsorbedPower", "AbsorbedPower"); }
-  double GetEscapedPower() { return this->GetOldFigure("GetEscapedPower", "EscapedPower"); }
-  double GetStalePower() { return this->GetOldFigure("GetStalePower", "StalePower"); }
-  double GetReachedRelativeError()
-  {
-    return this->GetOldFigure("GetReachedRelativeError", "ReachedRelativeError");
-  }
-  double GetShootSeconds() { return this->GetOldFigure("GetShootSeconds", "ShootSeconds"); }
-  double GetVerifySeconds() { return this->GetOldFigure("GetVerifySeconds", "VerifySeconds"); }
-  double GetRepairSeconds() { return this->GetOldFigure("GetRepairSeconds", "RepairSeconds"); }
-  double GetNumberOfShotWalks()
-  {
-    return this->GetOldFigure("GetNumberOfShotWalks", "NumberOfWalks");
-  }
+  double GetEmittedPower() { return this->GetOldFigure("EmittedPower"); }
+  double GetAbsorbedPower() { return this->GetOldFigure("AbsorbedPower"); }
+  double GetEscapedPower() { return this->GetOldFigure("EscapedPower"); }
+  double GetStalePower() { return this->GetOldFigure("StalePower"); }
+  double GetReachedRelativeError() { return this->GetOldFigure("ReachedRelativeError"); }
+  double GetShootSeconds() { return this->GetOldFigure("ShootSeconds"); }
+  double GetVerifySeconds() { return this->GetOldFigure("VerifySeconds"); }
+  double GetRepairSeconds() { return this->GetOldFigure("RepairSeconds"); }
+  double GetNumberOfShotWalks() { return this->GetOldFigure("NumberOfShotWalks", "NumberOfWalks"); }
   double GetNumberOfCastGatherRays()
   {
-    return this->GetOldFigure("GetNumberOfCastGatherRays", "NumberOfGatherRays");
+    return this->GetOldFigure("NumberOfCastGatherRays", "NumberOfGatherRays");
   }
-  double GetNumberOfSegments()
-  {
-    return this->GetOldFigure("GetNumberOfSegments", "NumberOfSegments");
-  }
-  double GetNumberOfInvalidWalks()
-  {
-    return this->GetOldFigure("GetNumberOfInvalidWalks", "NumberOfInvalidWalks");
-  }
-  double GetNumberOfRepairedSegments()
-  {
-    return this->GetOldFigure("GetNumberOfRepairedSegments", "NumberOfRepairedSegments");
-  }
-  double GetHistoryBytes() { return this->GetOldFigure("GetHistoryBytes", "HistoryBytes"); }
+  double GetNumberOfSegments() { return this->GetOldFigure("NumberOfSegments"); }
+  double GetNumberOfInvalidWalks() { return this->GetOldFigure("NumberOfInvalidWalks"); }
+  double GetNumberOfRepairedSegments() { return this->GetOldFigure("NumberOfRepairedSegments"); }
+  double GetHistoryBytes() { return this->GetOldFigure("HistoryBytes"); }
   /// @}
 
 protected:
@@ -512,7 +484,7 @@ private:
   vtkMTimeType OwnTime();
   vtkMTimeType InputTime();
   bool HasChangedMeanwhile();
-  double GetOldFigure(const char* getter, const char* name);
+  double GetOldFigure(const char* getter, const char* name = nullptr);
   enum MethodPart
   {
     DirectLightPart,

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIrradianceProbeFilter.h"
 
-#include "Data/OldNames.h"
-#include "Input/SensorReader.h"
 #include "Output/EmptyPiece.h"
-#include "Output/FinalGatherSensors.h"
-#include "Output/NearestSensors.h"
+#include "Output/SensorLight.h"
 #include "Pipeline/FilterRun.h"
 #include "Pipeline/PhotonSource.h"
-#include "Pipeline/PieceRequest.h"
 #include "Pipeline/UpstreamRequest.h"
 #include "Progress/InputError.h"
 #include "Time/TimeKeys.h"
 
+#include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <cmath>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -28,10 +28,26 @@ vtkStandardNewMacro(vtkIrradianceProbeFilter);
 namespace
 {
 
-/// Throws InputError where Estimate Nearest needs normals that are not there.
-vtkDataArray* NormalsFor(vtkIrradianceProbeFilter* filter, vtkDataSet* input)
+/// The active normals of the points, or else the array "Normals"; null if there are none.
+vtkDataArray* NormalsOf(vtkDataSet* input)
 {
-  vtkDataArray* normals = irradiance::sensorNormals(input);
+  vtkDataArray* normals = input->GetPointData()->GetNormals();
+  return normals ? normals : input->GetPointData()->GetArray("Normals");
+}
+
+[[noreturn]] void Fail(vtkIdType point, const char* what, const irradiance::Vector3& value)
+{
+  std::ostringstream message;
+  message << "the sensors, point " << point << ": the " << what << " (" << value[0] << ", "
+          << value[1] << ", " << value[2] << ") is ";
+  message << (value.allFinite() ? "of length 0" : "not finite");
+  throw irradiance::InputError(message.str());
+}
+
+/// All points. Without normals they receive from all directions. Throws InputError.
+std::vector<irradiance::Sensor> ReadSensors(
+  vtkIrradianceProbeFilter* filter, vtkDataSet* input, vtkDataArray* normals)
+{
   if (filter->GetEstimate() == vtkIrradianceProbeFilter::Nearest && !normals &&
     input->GetNumberOfPoints() > 0)
   {
@@ -40,7 +56,33 @@ vtkDataArray* NormalsFor(vtkIrradianceProbeFilter* filter, vtkDataSet* input)
       "which it receives light (vtkPolyDataNormals computes normals of surfaces). Estimate "
       "Gathered finds the fluence rate, from all directions, without them");
   }
-  return normals;
+  if (normals && normals->GetNumberOfComponents() != 3)
+  {
+    throw irradiance::InputError("the normals of the sensors have " +
+      std::to_string(normals->GetNumberOfComponents()) + " components; three are needed");
+  }
+  std::vector<irradiance::Sensor> sensors(static_cast<std::size_t>(input->GetNumberOfPoints()));
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    irradiance::Sensor& sensor = sensors[static_cast<std::size_t>(i)];
+    input->GetPoint(i, sensor.position.data());
+    if (!sensor.position.allFinite())
+    {
+      Fail(i, "position", sensor.position);
+    }
+    sensor.normal.setZero();
+    if (normals)
+    {
+      normals->GetTuple(i, sensor.normal.data());
+      const double length = sensor.normal.stableNorm();
+      if (!(length > 0) || !std::isfinite(length))
+      {
+        Fail(i, "normal", sensor.normal);
+      }
+      sensor.normal /= length;
+    }
+  }
+  return sensors;
 }
 
 /// No property but 0, which stands for a default, may be other than positive.
@@ -99,7 +141,7 @@ vtkDataObject* vtkIrradianceProbeFilter::GetSource()
 int vtkIrradianceProbeFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
   port == 0 ? info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet")
-            : irradiance::PhotonSource::fillInputPort(info);
+            : irradiance::setInputTypes(info, "vtkMultiBlockDataSet", "vtkDataObject");
   return 1;
 }
 
@@ -109,7 +151,7 @@ vtkTypeBool vtkIrradianceProbeFilter::ProcessRequest(
   const vtkTypeBool result = this->Superclass::ProcessRequest(request, inputs, outputs);
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()) != 0)
   {
-    irradiance::TimeKeys(inputs, 2).write(outputs);
+    irradiance::uniteTimes(inputs, 2, outputs);
   }
   if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()) != 0)
   {
@@ -125,42 +167,25 @@ void vtkIrradianceProbeFilter::Compute(vtkDataSet* input, vtkDataObject* scene, 
 {
   CheckPositive("MaximumRadius", this->MaximumRadius);
   CheckPositive("MaximumDistance", this->MaximumDistance);
-  vtkDataArray* normals = NormalsFor(this, input);
-  const std::vector<irradiance::Sensor> sensors = irradiance::readSensors(input, normals);
+  vtkDataArray* normals = NormalsOf(input);
+  const std::vector<irradiance::Sensor> sensors = ReadSensors(this, input, normals);
   const bool gathers = this->Estimate == Gathered;
   using Need = irradiance::PhotonSource::Need;
   const irradiance::PhotonSource source(scene, "the source", gathers ? Need::Sums : Need::Photons);
   irradiance::SmpExecution execution = irradiance::executionOf(this);
   output->ShallowCopy(input);
   const irradiance::SensorRun run{ sensors, source.engine(), execution, output };
+  const int bands = source.engine()->objects().staticObject.material->bands;
   const std::string warning = gathers
-    ? irradiance::FinalGatherSensors(
-        output, run.bands(), normals != nullptr, irradiance::haveErrors(scene))
-        .measure(run, static_cast<std::uint32_t>(this->NumberOfRays), this->Internals->Stored)
-    : irradiance::NearestSensors(output, run.bands())
-        .measure(run,
-          { static_cast<std::uint32_t>(this->NumberOfPhotons), this->MaximumRadius,
-            this->MaximumDistance });
+    ? irradiance::gatherLight(run,
+        irradiance::addGatheredLight(
+          output, bands, normals != nullptr, irradiance::haveErrors(scene)),
+        static_cast<std::uint32_t>(this->NumberOfRays), this->Internals->Stored)
+    : irradiance::measureNearestLight(run, static_cast<std::uint32_t>(this->NumberOfPhotons),
+        this->MaximumRadius, this->MaximumDistance);
   if (!warning.empty())
   {
     vtkWarningMacro(<< warning);
-  }
-}
-
-/// Without points, see PieceRequest.h.
-void vtkIrradianceProbeFilter::WriteEmpty(
-  vtkDataSet* input, vtkDataObject* scene, vtkDataSet* output)
-{
-  irradiance::copyEmptyArrays(input, output);
-  const int bands = irradiance::bandsOf(scene);
-  if (this->Estimate == Gathered)
-  {
-    const bool haveNormals = irradiance::sensorNormals(input) != nullptr;
-    irradiance::FinalGatherSensors(output, bands, haveNormals, irradiance::haveErrors(scene));
-  }
-  else
-  {
-    irradiance::NearestSensors(output, bands);
   }
 }
 
@@ -175,13 +200,23 @@ int vtkIrradianceProbeFilter::RequestData(
     // What could not be computed has no blocks: that is an error on all processes.
     auto* blocks = vtkMultiBlockDataSet::SafeDownCast(scene);
     const bool isComputed = blocks && blocks->GetNumberOfBlocks() > 0;
-    if (isComputed && irradiance::isEmptyPieceRequested(info))
+    if (!isComputed || !irradiance::isEmptyPieceRequested(info))
     {
-      this->WriteEmpty(input, scene, output);
+      this->Compute(input, scene, output);
     }
     else
     {
-      this->Compute(input, scene, output);
+      irradiance::copyEmptyArrays(input, output);
+      const int bands = irradiance::bandsOf(scene);
+      if (this->Estimate == Nearest)
+      {
+        irradiance::addNearestLight(output, bands);
+      }
+      else
+      {
+        irradiance::addGatheredLight(
+          output, bands, NormalsOf(input) != nullptr, irradiance::haveErrors(scene));
+      }
     }
     SetDataTime(info, output);
   });

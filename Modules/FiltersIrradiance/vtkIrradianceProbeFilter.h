@@ -4,14 +4,13 @@
  * @brief   irradiance or fluence rate at sensor points in a vtkIrradianceFilter's scene
  *
  * Two estimates:
- * - `Gathered`: for sensors anywhere, on surfaces or in the air. What comes straight from all
- *   lights is asked for at the very point, by NumberOfRays rays; as many look for the indirect
- *   light, and read what large cells received. Nothing is blurred over the surroundings of a
- *   sensor.
- * - `Nearest`: for sensors on surfaces. Of the photons that vtkIrradianceFilter has stored in the
- *   leaf cells of its ray-casting trees the nearest are found. Their power over the area of the
- *   surface on which they arrived is the irradiance. Section 4.1 of Szecsi, Benedek and
- *   Szirmay-Kalos, "Accelerating Animation Through Verification of Shooting Walks" (SCCG 2003).
+ * - `Gathered`: for sensors anywhere, on surfaces or in the air. NumberOfRays rays ask the lights
+ *   at the very point; as many look for the indirect light, and read what large cells received.
+ *   Nothing is blurred over the surroundings of a sensor.
+ * - `Nearest`: for sensors on surfaces. The power of the nearest photons that vtkIrradianceFilter
+ *   has stored, over the area of the surface on which they arrived, is the irradiance. Section 4.1
+ *   of Szecsi, Benedek and Szirmay-Kalos, "Accelerating Animation Through Verification of Shooting
+ *   Walks" (SCCG 2003).
  *
  * Neither depends on the size of the cell on which a sensor stands.
  *
@@ -21,13 +20,11 @@
  *   light; their length does not matter. Nearest needs them. Without them Gathered finds the
  *   fluence rate. With Nearest sensors lie on surfaces of the scene, or nearly: each is moved to
  *   the closest point of the surface that faces as it does, no farther than MaximumDistance. With
- *   Gathered a sensor stays where it is, but for 2^-20 of the scene's size (4 um of 4 m) and 2^-32
- *   of its largest coordinate, lamps apart: so far it is taken along its normal, or without normals
- *   towards the middle of the scene. So a sensor whose coordinates are rounded is not behind its
- *   own surface, and the outermost points of a grid that fills a room are in the room. It does not
- *   move with the surfaces of the scene: move it as they move. On a face that touches a lamp, as
- *   the underside of a box on a light table, it comes to be behind the lamp's face and finds 0;
- *   Nearest knows what the lamp emits there.
+ *   Gathered a sensor is taken 2^-20 of the scene's size (4 um of 4 m) and 2^-32 of its largest
+ *   coordinate, lamps apart, along its normal, or without normals towards the middle of the scene:
+ *   rounding does not put it behind its own surface, nor the rim of a grid out of its room. Move it
+ *   as the surfaces move. On a face that touches a lamp it comes to be behind the lamp's face and
+ *   finds 0; Nearest knows what the lamp emits there.
  * - Port 1, source: the whole output of a vtkIrradianceFilter, or a shallow copy. Nearest reads
  *   photons: a filter that did not keep them, as nothing can move, executes again, once.
  *
@@ -37,8 +34,7 @@
  * With Nearest
  * - `Irradiance` (double, W/m2, as many components as in the source): NaN where there is no surface
  *   within MaximumDistance that faces as the sensor does, and farther than a million sizes of the
- *   scene away from it, where nothing can be told. One warning says how many such sensors there
- *   are, and which is the first;
+ *   scene away from it. One warning says how many such sensors there are, and which is the first;
  * - `NumberOfPhotons` (found; fewer than asked for if there are no more within MaximumRadius, 0
  *   where the irradiance is NaN);
  * - `SearchRadius` (double, m): the distance of the farthest of them; MaximumRadius if there are
@@ -47,40 +43,38 @@
  * With Gathered
  * - `Irradiance` (double, W/m2, likewise) on the plane across the normal: NaN only farther than a
  *   million sizes of the scene away, with a warning; 0 inside of closed bodies;
- * - without normals instead `FluenceRate` (double, W/m2): what arrives from all directions, the
- *   integral of the radiance over the sphere. It is also known as scalar irradiance; of a beam it
- *   is the irradiance on a plane across it, and where all directions are alike four times the
- *   irradiance of a plane;
+ * - without normals instead `FluenceRate` (double, W/m2), also known as scalar irradiance: the
+ *   integral of the radiance over the sphere; of a beam it is the irradiance on a plane across it,
+ *   where all directions are alike four times the irradiance of a plane;
  * - `IrradianceStandardError` or `FluenceRateStandardError` (double, W/m2) where the source has
  *   standard errors (ComputeStandardError): from its replicates, each with rays of its own that
  *   read its own sums. NaN where nothing arrived; the field `NumberOfUnknownErrors` counts these.
  *   What reading means over cells biases is not in it.
  *
  * @section ProbeNearest Nearest
- * With k photons the relative standard error is about 1 / sqrt(k). More photons come from farther
- * away: what is known is the mean over the surface within the SearchRadius, so shadow edges are
- * blurred, and at an edge of a surface across which light changes the mean is one-sided. Photons
- * count, and so does surface, if their side faces within 45.6 degrees of the sensor, is not inside
- * of a body, and is of the same surface as far as planes can tell: not the other side of a thin
- * wall, a wall that meets at a corner, the inner face of a thin board, or a sheet or a step above
- * or below. (Where sheets bend, one below another counts beyond sqrt(2 R h), for the radius R of
- * the bend and the distance h of the sheets.) As only area that is there counts, no light is lost
- * at edges. Which photons are found does not depend on threads or trees, and after an update a new
- * filter would find the same. Documentation/Theory.md, section 5.4.
+ * With k photons the relative standard error is about 1 / sqrt(k). What is known is the mean over
+ * the surface within the SearchRadius, so shadow edges are blurred, and at an edge of a surface
+ * across which light changes the mean is one-sided. Photons and surface count if their side faces
+ * within 45.6 degrees of the sensor, is not inside of a body, and is of the same surface as far as
+ * planes can tell: not the other side of a thin wall, a wall that meets at a corner, the inner face
+ * of a thin board, or a sheet or a step above or below. (Where sheets bend, one below another
+ * counts beyond sqrt(2 R h), for the radius R of the bend and the distance h of the sheets.) Only
+ * area that is there counts, so no light is lost at edges. After an update a new filter would find
+ * the same photons. Documentation/Theory.md, section 5.4.
  *
- * Where direct light is gathered the photons are those of indirect light. What comes straight from
- * the lights is that of the surface at the very point to which the sensor is moved, from 64 rays:
- * it is not blurred, and is added to `Irradiance`. Documentation/Theory.md, section 1.3.
+ * Where direct light is gathered the photons are those of indirect light. Direct light is asked for
+ * at the point to which the sensor is moved, by 64 rays, and added to `Irradiance`, not blurred.
+ * Documentation/Theory.md, section 1.3.
  *
  * @section ProbeGathered Gathered
  * Rays that hit a cell which expects 25 photons or more, and is farther than wide, read what its
  * side received; elsewhere they ask the lights and go on. So light that changes within such a cell
- * is read as its mean, which is a bias; it shrinks with the cells. The samples follow from the seed
- * of the source and the number of the point, so the result is the same on any threads, and after an
- * update that of a new filter, bit for bit. Where things have moved in the source, only the rays
- * are cast again that this may change, and all read the present sums; when sensors
- * change, those alone gather anew; after any other change all do. A point light beside cells with a
- * SpecularReflectance is an error. Documentation/Theory.md, section 5.8.
+ * is read as its mean, a bias that shrinks with the cells. The samples follow from the seed of the
+ * source and the number of the point: the result is the same on any threads, and after an update
+ * that of a new filter, bit for bit. After motions in the source only the rays are cast again that
+ * these may change, and all read the present sums; sensors that change gather anew; after any other
+ * change all do. A point light beside cells with a SpecularReflectance is an error.
+ * Documentation/Theory.md, section 5.8.
  *
  * While walks are stale (RepairTimeBudget), both estimates rest on them.
  *
@@ -119,9 +113,7 @@ public:
   };
 
   /// @{
-  /**
-   * The scene, as in vtkProbeFilter. A connection keeps it up to date.
-   */
+  /** The scene, as in vtkProbeFilter. A connection keeps it up to date. */
   void SetSourceConnection(vtkAlgorithmOutput* output);
   void SetSourceData(vtkDataObject* source);
   vtkDataObject* GetSource();
@@ -165,8 +157,7 @@ public:
   /**
    * With Nearest, photons farther away do not count, m; >= 0, may be infinite. With 0, the default,
    * it is four times the radius that NumberOfPhotons photons fill on the average of the scene, but
-   * at most a quarter of the scene's largest extent: so dark places do not draw on light from
-   * elsewhere, and have fewer photons.
+   * at most a quarter of the scene's largest extent: dark places draw on no light from elsewhere.
    */
   vtkSetMacro(MaximumRadius, double);
   vtkGetMacro(MaximumRadius, double);
@@ -207,7 +198,6 @@ private:
   void operator=(const vtkIrradianceProbeFilter&) = delete;
 
   void Compute(vtkDataSet* sensors, vtkDataObject* source, vtkDataSet* output);
-  void WriteEmpty(vtkDataSet* sensors, vtkDataObject* source, vtkDataSet* output);
 
   std::unique_ptr<vtkInternals> Internals;
 };

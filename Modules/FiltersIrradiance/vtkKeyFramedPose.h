@@ -4,11 +4,9 @@
  * @brief   a pose over time for polydata, or a tree of them, from key frames
  *
  * Passes its input on, with the pose at the requested time (UPDATE_TIME_STEP; without one: the pose
- * of the first key) as the field-data array `ObjectToWorld`: one tuple of 16 doubles, row by row.
- * This is what port 1 of vtkIrradianceFilter reads. Points, cells and arrays are the input's own
- * objects, so only the pose changes with time, and vtkIrradianceFilter builds no tree again.
- * Nothing is moved here: to see the motion without that filter, apply the array
- * (vtkTransformPolyDataFilter).
+ * of the first key) as the field-data array `ObjectToWorld`: 16 doubles, row by row, as port 1 of
+ * vtkIrradianceFilter reads it. Points, cells and arrays are the input's own, so that filter
+ * builds no tree again. To see the motion without it, apply the array (vtkTransformPolyDataFilter).
  *
  * The keys come from AddPose() and AddPoseMatrix(), in any order, or from a file. There are two at
  * least. At the time of a key the output has exactly the pose of the key.
@@ -17,15 +15,13 @@
  *
  * Composite data (vtkMultiBlockDataSet, vtkPartitionedDataSet, vtkPartitionedDataSetCollection)
  * keep their structure and the names of their blocks. All leaves have to be vtkPolyData; empty ones
- * stay empty. The pose stands in the field data of each leaf, so that a block that is taken out or
- * put into another tree keeps it: world = pose * the tree's own * the leaf's own. The tree's own is
- * not passed on, as it is in the leaves now.
+ * stay empty. The pose stands in the field data of each leaf: world = pose * the tree's own * the
+ * leaf's own; the tree's own is not passed on.
  *
  * TIME_STEPS of the output: the times of the keys, NumberOfTimeSteps between them, and the steps of
  * the input. TIME_RANGE: from the first to the last of them, and the input's.
  *
- * Progress is reported while poses are read, and AbortExecute honoured; after an abort the output
- * is empty.
+ * Progress is reported while poses are read. AbortExecute is honoured; then the output is empty.
  *
  * @section File
  * Comma-separated values. The first line names the columns, in any order; other columns are passed
@@ -80,9 +76,8 @@ public:
   /// @{
   /**
    * Adds a key: at this time the object's origin is at (x, y, z), m, and it is turned by (rx, ry,
-   * rz), degrees, in the manner of vtkProp3D: about its y axis first, then x, then z (RotateZ,
-   * RotateX, RotateY of vtkTransform). Rotations go the shorter way from key to key, so the keys of
-   * something that spins have to be less than 180 degrees apart.
+   * rz), degrees, as vtkProp3D: about its y axis first, then x, then z. Rotations go the shorter
+   * way from key to key: keys of what spins have to be less than 180 degrees apart.
    */
   void AddPose(double time, double x, double y, double z, double rx, double ry, double rz);
   void AddPose(double time, const double position[3], const double orientation[3]);
@@ -116,9 +111,7 @@ public:
   /// @}
 
   /// @{
-  /**
-   * See InterpolationTypes. Default Linear.
-   */
+  /** See InterpolationTypes. Default Linear. */
   vtkSetClampMacro(InterpolationType, int, Linear, Step);
   vtkGetMacro(InterpolationType, int);
   void SetInterpolationTypeToLinear() { this->SetInterpolationType(Linear); }
@@ -127,9 +120,7 @@ public:
   /// @}
 
   /// @{
-  /**
-   * See OutsideModes. Default Error.
-   */
+  /** See OutsideModes. Default Error. */
   vtkSetClampMacro(OutsideOfKeys, int, Error, Leave);
   vtkGetMacro(OutsideOfKeys, int);
   void SetOutsideOfKeysToError() { this->SetOutsideOfKeys(Error); }
@@ -139,10 +130,9 @@ public:
 
   /// @{
   /**
-   * How finely TIME_STEPS divide the time from the first key to the last: no step is longer than 1
-   * / NumberOfTimeSteps of it. To that end each interval between two keys is cut into equal ones,
-   * so two keys give exactly so many steps. An animation, or a dose, that takes one step after the
-   * other then sees the motion. The steps of several poses in a scene are united: with many parts
+   * How finely TIME_STEPS divide the time from the first key to the last, for what takes one step
+   * after the other: each interval between two keys is cut into equal ones, no longer than 1 /
+   * NumberOfTimeSteps of it all. The steps of several poses in a scene are united: with many parts
    * choose fewer each. 0: the keys alone. Poses do not depend on it. 0 to 1,000,000. Default 100.
    */
   vtkSetClampMacro(NumberOfTimeSteps, int, 0, 1000000);

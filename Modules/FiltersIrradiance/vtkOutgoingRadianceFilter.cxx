@@ -87,11 +87,10 @@ irradiance::LightArrays AddArrays(vtkPolyData* output, int bands, bool haveError
   return arrays;
 }
 
-/// Without cells, see PieceRequest.h.
+/// Without cells, see isEmptyPieceRequested().
 void WriteEmpty(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)
 {
-  output->ShallowCopy(input);
-  irradiance::emptyLeaves(output, [input](vtkPolyData* empty) {
+  irradiance::emptyLeaves(input, output, [input](vtkPolyData* empty) {
     AddArrays(empty, irradiance::bandsOf(empty), irradiance::haveErrors(input));
   });
 }
@@ -130,14 +129,7 @@ vtkOutgoingRadianceFilter::vtkOutgoingRadianceFilter()
 
 vtkOutgoingRadianceFilter::~vtkOutgoingRadianceFilter() = default;
 
-void vtkOutgoingRadianceFilter::SetCamera(vtkCamera* camera)
-{
-  if (this->Camera != camera)
-  {
-    this->Camera = camera;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkOutgoingRadianceFilter, Camera, vtkCamera);
 
 vtkCamera* vtkOutgoingRadianceFilter::GetCamera()
 {
@@ -152,7 +144,8 @@ vtkMTimeType vtkOutgoingRadianceFilter::GetMTime()
 
 int vtkOutgoingRadianceFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  irradiance::PhotonSource::fillInputPort(info);
+  // Other data is refused in words that help.
+  irradiance::setInputTypes(info, "vtkMultiBlockDataSet", "vtkDataObject");
   return 1;
 }
 
@@ -163,14 +156,12 @@ void vtkOutgoingRadianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBlo
   irradiance::SmpExecution execution = irradiance::executionOf(this);
   const irradiance::OutgoingRadiance& radiance =
     this->Internals->RadianceOf(source, this->NumberOfSpecularSamples, execution);
-  output->ShallowCopy(input);
-  irradiance::cloneLeaves(output);
+  irradiance::copyLeaves(input, output);
   constexpr int raysTogether = 4096;
   const vtkIdType cellsTogether = std::max(1, raysTogether / this->NumberOfSpecularSamples);
   const std::vector<Unit> units =
     MakeUnits(source, cellsTogether, irradiance::haveErrors(input), output);
-  irradiance::SlicedPass pass{ units.size(), {} };
-  pass.work = [&](std::size_t i, const irradiance::Deadline&) {
+  irradiance::forEachSliced(units.size(), execution, [&](std::size_t i) {
     const Unit& unit = units[i];
     std::vector<irradiance::SceneCell> cells;
     for (vtkIdType cell = unit.begin; cell < unit.end; ++cell)
@@ -182,9 +173,7 @@ void vtkOutgoingRadianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBlo
     {
       unit.arrays.set(cell++, light);
     }
-    return true;
-  };
-  pass.run(execution);
+  });
 }
 
 int vtkOutgoingRadianceFilter::RequestData(

@@ -4,8 +4,7 @@
  * @brief   radiance that leaves the cells of a vtkIrradianceFilter's scene towards an eye
  *
  * Adds what an eye sees of each cell: light that the cell emits, and light that it reflects
- * diffusely and specularly. What vtkIrradianceFilter knows does not depend on the view, so when the
- * camera moves this filter alone executes.
+ * diffusely and specularly. When the camera moves this filter alone executes.
  *
  * @section RadianceInput Input
  * The whole output of a vtkIrradianceFilter, or a shallow copy.
@@ -29,11 +28,10 @@
  * A mirror cannot see a point light; nor does a lobe see what a point light sends it by way of a
  * mirror.
  *
- * What stands between eye and cell is not looked at: a renderer knows what is hidden. So an eye may
- * be anywhere, also inside a body, of whose cells it sees the back. At a cell's own place it sees
- * no direction to the light that comes from there. Cells without area, vertices and lines have 0.
- *
- * While walks are stale (RepairTimeBudget), the radiance rests on them like the irradiance does.
+ * What stands between eye and cell is not looked at: a renderer knows what is hidden. An eye may be
+ * anywhere, also inside a body, of whose cells it sees the back; at a cell's own place it sees no
+ * direction to the light from there. Cells without area, vertices and lines have 0. While walks are
+ * stale (RepairTimeBudget), the radiance rests on them.
  *
  * @section RadianceErrors Errors
  * Input that is no such output, that is out of date, or a part of one; an eye position that is not

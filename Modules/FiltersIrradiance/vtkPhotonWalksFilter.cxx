@@ -4,7 +4,6 @@
 #include "Output/WalksWriter.h"
 #include "Pipeline/FilterRun.h"
 #include "Pipeline/PhotonSource.h"
-#include "Pipeline/PieceRequest.h"
 #include "Pipeline/UpstreamRequest.h"
 
 #include "vtkInformation.h"
@@ -17,7 +16,8 @@ vtkStandardNewMacro(vtkPhotonWalksFilter);
 
 int vtkPhotonWalksFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  irradiance::PhotonSource::fillInputPort(info);
+  // Other data is refused in words that help.
+  irradiance::setInputTypes(info, "vtkMultiBlockDataSet", "vtkDataObject");
   return 1;
 }
 
@@ -28,15 +28,6 @@ int vtkPhotonWalksFilter::RequestUpdateExtent(
   return 1;
 }
 
-void vtkPhotonWalksFilter::Compute(vtkMultiBlockDataSet* input, vtkPolyData* output)
-{
-  const irradiance::PhotonSource source(input, "the input");
-  const irradiance::WalksWriter writer(
-    { this->NumberOfWalks, this->CellPort, this->CellConnection, this->Cell }, source, input);
-  irradiance::SmpExecution execution = irradiance::executionOf(this);
-  writer.write(execution, output);
-}
-
 int vtkPhotonWalksFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -45,7 +36,11 @@ int vtkPhotonWalksFilter::RequestData(
   return irradiance::runFilter(this, output, [&] {
     if (!irradiance::isEmptyPieceRequested(outputs->GetInformationObject(0))) // each walk once
     {
-      this->Compute(input, output);
+      const irradiance::PhotonSource source(input, "the input");
+      irradiance::SmpExecution execution = irradiance::executionOf(this);
+      irradiance::writeWalks(
+        { this->NumberOfWalks, this->CellPort, this->CellConnection, this->Cell }, source, input,
+        execution, output);
     }
   });
 }

@@ -26,8 +26,6 @@
 #include "vtkFiltersIrradianceModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
-class vtkMultiBlockDataSet;
-
 class VTKFILTERSIRRADIANCE_EXPORT vtkPhotonWalksFilter : public vtkPolyDataAlgorithm
 {
 public:
@@ -47,9 +45,9 @@ public:
   /// @{
   /**
    * Only walks that touch this cell: its number in connection CellConnection of input port CellPort
-   * (0 static, 1 dynamic) of the vtkIrradianceFilter. In a composite connection the cells are
-   * numbered from leaf to leaf. -1: all walks are meant, and port and connection do not matter. No
-   * walk touches the cells of a connection that has none. Defaults -1, 0, 0.
+   * (0 static, 1 dynamic) of the vtkIrradianceFilter, from leaf to leaf in a composite connection.
+   * -1: all walks are meant. No walk touches the cells of a connection that has none. Defaults -1,
+   * 0, 0.
    */
   vtkSetMacro(Cell, vtkIdType);
   vtkGetMacro(Cell, vtkIdType);
@@ -77,8 +75,6 @@ protected:
 private:
   vtkPhotonWalksFilter(const vtkPhotonWalksFilter&) = delete;
   void operator=(const vtkPhotonWalksFilter&) = delete;
-
-  void Compute(vtkMultiBlockDataSet* input, vtkPolyData* output);
 };
 
 #endif

@@ -3,15 +3,13 @@
 
 #include "Data/ArrayNames.h"
 #include "Data/LeafData.h"
-#include "Data/OldNames.h"
-#include "FinalGather/DarkShapes.h"
+#include "FinalGather/CellRoles.h"
 #include "Input/PointFacets.h"
 #include "Output/EmptyPiece.h"
 #include "Output/LightArrays.h"
 #include "Pipeline/FilterRun.h"
 #include "Pipeline/PhotonSource.h"
 #include "Pipeline/WalkMemory.h"
-#include "Views/SensorPlace.h"
 #include "Views/StoredSensors.h"
 
 #include "vtkCellData.h"
@@ -84,11 +82,10 @@ std::vector<irradiance::LightArrays> AddArrays(
   return arrays;
 }
 
-/// Without cells, see PieceRequest.h.
+/// Without cells, see isEmptyPieceRequested().
 void WriteEmptyPoints(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)
 {
-  output->ShallowCopy(input);
-  irradiance::emptyLeaves(output, [input](vtkPolyData* empty) {
+  irradiance::emptyLeaves(input, output, [input](vtkPolyData* empty) {
     const bool areSidesApart =
       empty->GetCellData()->HasArray(irradiance::irradianceName("Front").c_str()) != 0;
     AddArrays(empty, irradiance::bandsOf(empty), irradiance::haveErrors(input), areSidesApart);
@@ -97,79 +94,51 @@ void WriteEmptyPoints(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)
 
 using Replicates = irradiance::SensorFinalGather::Replicates;
 
-void Add(const Replicates& received, double weight, Replicates& sum)
+/// Gives the points of a surface the light that their facets received. `dark`: where nothing comes.
+/// `next`: what sensors received, in their order; returns what is next after those of the surface.
+const Replicates* WritePoints(const Surface& surface,
+  const std::vector<irradiance::LightArrays>& arrays, const Replicates& dark,
+  const Replicates* next)
 {
-  for (std::size_t k = 0; k < sum.size(); ++k)
+  irradiance::SensorFinalGather::Light unknown{};
+  unknown.value.fill(std::numeric_limits<double>::quiet_NaN());
+  unknown.standardError = unknown.value;
+  for (const irradiance::LightArrays& side : arrays)
   {
-    for (std::size_t band = 0; band < sum[k].size(); ++band)
+    for (vtkIdType i = 0; i < surface.output->GetNumberOfPoints(); ++i)
     {
-      sum[k][band] += weight * received[k][band];
+      side.set(i, unknown);
     }
   }
+  const auto addNext = [&next](bool isDark, double weight, Replicates& mean) {
+    for (std::size_t k = 0; !isDark && k < mean.size(); ++k)
+    {
+      mean[k] += weight * (*next)[k];
+    }
+    next += isDark ? 0 : 1;
+  };
+  const std::vector<irradiance::PointFacet>& facets = surface.facets;
+  for (std::size_t first = 0, end = 0; first < facets.size(); first = end)
+  {
+    double angle = 0;
+    for (; end < facets.size() && facets[end].point == facets[first].point; ++end)
+    {
+      angle += facets[end].angle;
+    }
+    std::vector<Replicates> means(arrays.size(), dark);
+    for (std::size_t i = first; i < end; ++i)
+    {
+      const double weight = facets[i].angle / angle;
+      addNext(facets[i].isFrontDark, weight, means.front());
+      addNext(facets[i].isBackDark, weight, means.back());
+    }
+    for (std::size_t side = 0; side < arrays.size(); ++side)
+    {
+      arrays[side].set(facets[first].point, irradiance::SensorFinalGather::lightOf(means[side]));
+    }
+  }
+  return next;
 }
-
-/// Gives points the light that their facets received: takes what is next, in the order of the
-/// sensors.
-class PointWriter
-{
-public:
-  /// `replicates`: their number.
-  PointWriter(const std::vector<Replicates>& received, std::size_t replicates)
-    : Next(received.data())
-    , Dark(replicates)
-  {
-  }
-
-  void Write(const Surface& surface, const std::vector<irradiance::LightArrays>& arrays)
-  {
-    this->WriteUnknown(surface.output->GetNumberOfPoints(), arrays);
-    const std::vector<irradiance::PointFacet>& facets = surface.facets;
-    for (std::size_t first = 0, end = 0; first < facets.size(); first = end)
-    {
-      double angle = 0;
-      for (; end < facets.size() && facets[end].point == facets[first].point; ++end)
-      {
-        angle += facets[end].angle;
-      }
-      std::vector<Replicates> means(arrays.size(), this->Dark);
-      for (std::size_t i = first; i < end; ++i)
-      {
-        const double weight = facets[i].angle / angle;
-        this->AddNext(facets[i].isFrontDark, weight, means.front());
-        this->AddNext(facets[i].isBackDark, weight, means.back());
-      }
-      for (std::size_t side = 0; side < arrays.size(); ++side)
-      {
-        arrays[side].set(facets[first].point, irradiance::SensorFinalGather::lightOf(means[side]));
-      }
-    }
-  }
-
-private:
-  static void WriteUnknown(vtkIdType points, const std::vector<irradiance::LightArrays>& arrays)
-  {
-    irradiance::SensorFinalGather::Light unknown{};
-    unknown.value.fill(std::numeric_limits<double>::quiet_NaN());
-    unknown.standardError = unknown.value;
-    for (const irradiance::LightArrays& side : arrays)
-    {
-      for (vtkIdType i = 0; i < points; ++i)
-      {
-        side.set(i, unknown);
-      }
-    }
-  }
-  void AddNext(bool isDark, double weight, Replicates& mean)
-  {
-    if (!isDark)
-    {
-      Add(*this->Next++, weight, mean);
-    }
-  }
-
-  const Replicates* Next;
-  Replicates Dark; ///< what nothing comes to
-};
 
 }
 
@@ -182,7 +151,8 @@ vtkPointIrradianceFilter::~vtkPointIrradianceFilter() = default;
 
 int vtkPointIrradianceFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  irradiance::PhotonSource::fillInputPort(info);
+  // Other data is refused in words that help.
+  irradiance::setInputTypes(info, "vtkMultiBlockDataSet", "vtkDataObject");
   return 1;
 }
 
@@ -192,8 +162,7 @@ void vtkPointIrradianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBloc
   const irradiance::IrradianceEngine& engine = *source.engine();
   irradiance::SmpExecution execution = irradiance::executionOf(this);
   const irradiance::CancelPoint reading = irradiance::cancelPointOf(execution, 0);
-  output->ShallowCopy(input);
-  irradiance::cloneLeaves(output);
+  irradiance::copyLeaves(input, output);
   const double rounding =
     irradiance::sensorClearance(irradiance::boundsBesideLamps(engine.objects()));
   const irradiance::CellShapes shapes =
@@ -209,12 +178,14 @@ void vtkPointIrradianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBloc
   const auto rays = static_cast<std::uint32_t>(this->NumberOfRays);
   stored.update(
     source.engine(), sensors, rays, irradiance::mayKeepRays(sensors.size(), rays), execution);
-  PointWriter writer(stored.replicates(), engine.walks().plan().replicates().count());
+  const Replicates dark(engine.walks().plan().replicates().count());
+  const Replicates* next = stored.replicates().data();
   for (const Surface& surface : surfaces)
   {
-    writer.Write(surface,
+    next = WritePoints(surface,
       AddArrays(surface.output, engine.objects().staticObject.material->bands,
-        irradiance::haveErrors(input), engine.settings().separateSides));
+        irradiance::haveErrors(input), engine.settings().separateSides),
+      dark, next);
   }
 }
 

@@ -3,10 +3,10 @@
  * @class   vtkPointIrradianceFilter
  * @brief   irradiance at the points of a vtkIrradianceFilter's scene
  *
- * What vtkIrradianceFilter finds are means over cells. This filter gathers the light at the very
- * points of their meshes, so that surfaces are shown smooth, and nothing is averaged over cells:
- * NumberOfRays rays look for the lights from each point, and as many for the indirect light, as
- * those of vtkIrradianceProbeFilter with Estimate Gathered.
+ * What vtkIrradianceFilter finds are means over cells. This filter gathers the light at the points
+ * of their meshes, so that surfaces are shown smooth: NumberOfRays rays look for the lights from
+ * each point, and as many for the indirect light, as those of vtkIrradianceProbeFilter with
+ * Estimate Gathered.
  *
  * @section PointInput Input
  * The whole output of a vtkIrradianceFilter, or a shallow copy. What each side of its cells
@@ -30,12 +30,11 @@
  * polygons have NaN.
  *
  * The samples follow from the seed of the source and the place of the point among all, so after an
- * update the result is that of a new filter, bit for bit. Where things have moved, only rays are
- * cast again that this may change. Rays read means over the cells that they hit: this is
- * a bias, which shrinks with these. With DistributedInput each process gathers for the points of
- * its own pieces: the noise, and mean normals at their borders, depend on the division. While walks
- * are stale (RepairTimeBudget), the light rests on them as the irradiance does.
- * Documentation/Theory.md, section 5.8.
+ * update the result is that of a new filter, bit for bit. After motions only rays are cast again
+ * that these may change. Rays read means over the cells that they hit, a bias that shrinks with
+ * these. With DistributedInput each process gathers for the points of its own pieces: the noise,
+ * and mean normals at their borders, depend on the division. While walks are stale
+ * (RepairTimeBudget), the light rests on them. Documentation/Theory.md, section 5.8.
  *
  * @section PointErrors Errors
  * Input that is no such output, that is out of date, or a part of one; a point light beside cells

@@ -6,15 +6,10 @@
 #include "Output/EmptyPiece.h"
 #include "Pipeline/ControllerRanks.h"
 #include "Pipeline/FilterRun.h"
-#include "Pipeline/PieceRequest.h"
-#include "Pipeline/RankData.h"
-#include "Pipeline/RanksPipeline.h"
 #include "Pipeline/UpstreamRequest.h"
 #include "Progress/InputError.h"
 #include "Surfaces/SceneHash.h"
-#include "Time/ErrorControlledIntegral.h"
-#include "Time/ExposureTimes.h"
-#include "Time/InputTimes.h"
+#include "Time/ExposureIntegral.h"
 #include "Time/SpreadableLeaf.h"
 #include "Time/TimeKeys.h"
 
@@ -54,12 +49,16 @@ struct Settings
   irradiance::TimeSpan Span;
   std::array<int, 3> Piece; ///< number, of how many, ghost levels
 
-  auto All() const
+  /// All that ranks have to agree on.
+  auto Shared() const
   {
     return std::tie(Mode, NumberOfTimeSteps, MaximumNumberOfTimeSteps, NumberOfSpreadPhotons,
-      RelativeTolerance, Span.start, Span.end, Piece);
+      RelativeTolerance, Span.start, Span.end);
   }
-  bool operator==(const Settings& other) const { return All() == other.All(); }
+  bool operator==(const Settings& other) const
+  {
+    return Shared() == other.Shared() && Piece == other.Piece;
+  }
 };
 
 bool IsErrorControlled(int mode)
@@ -76,19 +75,9 @@ Settings CheckedSettings(vtkRadiantExposureFilter* filter, vtkInformation* input
     irradiance::timeSpan(input, filter->GetStartTime(), filter->GetEndTime()),
     { input->Get(Pipeline::UPDATE_PIECE_NUMBER()), input->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()),
       input->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()) } };
-  constexpr int mostSteps = 1000000, mostSpreadPhotons = 1000000;
-  if (settings.NumberOfTimeSteps < 1 || settings.NumberOfTimeSteps > mostSteps)
-  {
-    throw irradiance::InputError("NumberOfTimeSteps is " +
-      std::to_string(settings.NumberOfTimeSteps) + "; 1 to " + std::to_string(mostSteps) +
-      " are possible");
-  }
-  if (settings.NumberOfSpreadPhotons < 0 || settings.NumberOfSpreadPhotons > mostSpreadPhotons)
-  {
-    throw irradiance::InputError("NumberOfSpreadPhotons is " +
-      std::to_string(settings.NumberOfSpreadPhotons) + "; 0 to " +
-      std::to_string(mostSpreadPhotons) + " are possible");
-  }
+  constexpr vtkIdType most = 1000000;
+  irradiance::checked("NumberOfTimeSteps", settings.NumberOfTimeSteps, 1, most);
+  irradiance::checked("NumberOfSpreadPhotons", settings.NumberOfSpreadPhotons, 0, most);
   if (!IsErrorControlled(settings.Mode))
   {
     return settings;
@@ -112,29 +101,13 @@ std::unique_ptr<irradiance::ExposureIntegral> MakeIntegral(
 {
   if (IsErrorControlled(settings.Mode))
   {
-    return std::make_unique<irradiance::ErrorControlledIntegral>(
+    return irradiance::errorControlledIntegral(
       irradiance::firstTimes(irradiance::stepsOf(input), settings.Span, settings.NumberOfTimeSteps),
       settings.RelativeTolerance, settings.MaximumNumberOfTimeSteps);
   }
-  return std::make_unique<irradiance::GivenTimesIntegral>(
-    settings.Mode == vtkRadiantExposureFilter::TimeSteps
+  return irradiance::integralOver(settings.Mode == vtkRadiantExposureFilter::TimeSteps
       ? irradiance::stepTimes(input, settings.Span)
       : irradiance::uniformTimes(settings.Span, settings.NumberOfTimeSteps));
-}
-
-/// Of all that ranks have to agree on.
-std::uint64_t HashOf(const Settings& settings, vtkInformation* input)
-{
-  irradiance::Hash hash;
-  hash.add(settings.Mode);
-  hash.add(settings.NumberOfTimeSteps);
-  hash.add(settings.MaximumNumberOfTimeSteps);
-  hash.add(settings.NumberOfSpreadPhotons);
-  hash.add(settings.RelativeTolerance);
-  hash.add(settings.Span.start);
-  hash.add(settings.Span.end);
-  hash.add(irradiance::stepsOf(input));
-  return hash.value();
 }
 
 void AddTimes(const irradiance::ExposureIntegral& integral, vtkFieldData* fields)
@@ -170,11 +143,73 @@ void AddTimes(const irradiance::ExposureIntegral& integral, vtkFieldData* fields
 class vtkRadiantExposureFilter::vtkInternals
 {
 public:
+  explicit vtkInternals(vtkRadiantExposureFilter* filter)
+    : Filter(filter)
+  {
+  }
+
   /// Continues what an abort left, if that is still what is asked for, and asks for the next time.
-  void Prepare(vtkRadiantExposureFilter* filter);
-  void Run(vtkRadiantExposureFilter* filter, irradiance::Ranks& ranks, vtkDataObject* output);
+  void Prepare()
+  {
+    const irradiance::ControllerRanks ranks = this->GetRanks();
+    vtkInformation* input = this->Input();
+    if (ranks.areSeveral())
+    {
+      irradiance::requestWhole(input);
+      this->Forget(); // after an abort not all may have come as far
+    }
+    irradiance::request(input, irradiance::UpstreamRequest::Alone, ranks.areSeveral());
+    irradiance::request(input, irradiance::UpstreamRequest::Replicates);
+    if (!this->IsUpToDate())
+    {
+      this->Begin();
+    }
+    // With more ranks than times, some have no time of their own. They ask for the last one, as VTK
+    // updates what is upstream in any case; its result is not used.
+    const double last = this->NextTimes(ranks).back();
+    input->Set(Pipeline::UPDATE_TIME_STEP(), this->OwnTime(ranks).value_or(last));
+  }
+
+  void Run(irradiance::ControllerRanks& ranks, vtkDataObject* output)
+  {
+    irradiance::SmpExecution execution = irradiance::executionOf(this->Filter);
+    this->Agree(ranks);
+    this->Take(ranks);
+    while (!this->Integral->isDone())
+    {
+      if (!execution.reportProgress(this->Integral->progress()))
+      {
+        throw irradiance::Interrupted();
+      }
+      if (this->HasChanged(ranks))
+      {
+        this->Producer->UpdateInformation();
+        this->Begin();
+        this->Agree(ranks);
+      }
+      this->UpdateProducer(ranks);
+      this->Take(ranks);
+    }
+    if (this->Of.NumberOfSpreadPhotons > 0)
+    {
+      irradiance::ProgressSpan end(execution, 1, 1);
+      this->Integral->sums().spread(this->Of.NumberOfSpreadPhotons, end);
+    }
+    this->Write(output);
+    if (ranks.areSeveral() &&
+      irradiance::isEmptyPieceRequested(this->Filter->GetOutputInformation(0)))
+    {
+      irradiance::removeElements(output);
+    }
+  }
+
   /// Asks for nothing more: others need not pay for it.
-  void End(vtkRadiantExposureFilter* filter) const;
+  void End() const
+  {
+    irradiance::request(this->Input(), irradiance::UpstreamRequest::Replicates, false);
+    irradiance::request(this->Input(), irradiance::UpstreamRequest::Alone, false);
+  }
+
   void Forget() { this->Integral = nullptr; }
   irradiance::ControllerRanks GetRanks() const
   {
@@ -185,17 +220,136 @@ public:
   std::string Error; ///< found before the data were asked for
 
 private:
-  void Begin(vtkRadiantExposureFilter* filter);
-  bool IsUpToDate(vtkRadiantExposureFilter* filter) const;
-  bool HasChanged(vtkRadiantExposureFilter* filter, irradiance::Ranks& ranks) const;
-  void Agree(vtkRadiantExposureFilter* filter, irradiance::Ranks& ranks) const;
-  void UpdateProducer(vtkRadiantExposureFilter* filter, const irradiance::Ranks& ranks) const;
-  std::vector<double> NextTimes(const irradiance::Ranks& ranks) const;
-  std::optional<double> OwnTime(const irradiance::Ranks& ranks) const;
-  void Take(vtkRadiantExposureFilter* filter, irradiance::Ranks& ranks);
-  void Write(vtkRadiantExposureFilter* filter, vtkDataObject* output) const;
-  void IntegrateOverSteps(vtkRadiantExposureFilter* filter);
+  vtkInformation* Input() const { return this->Filter->GetInputInformation(0, 0); }
 
+  bool IsUpToDate() const
+  {
+    return this->Integral && !this->Integral->isDone() &&
+      this->Producer == this->Filter->GetInputExecutive(0, 0) &&
+      this->Upstream == irradiance::upstreamTime(this->Filter, 0, 0) &&
+      this->Of == CheckedSettings(this->Filter, this->Input());
+  }
+
+  void Begin()
+  {
+    vtkInformation* input = this->Input();
+    this->Forget();
+    this->Of = CheckedSettings(this->Filter, input);
+    this->Integral = MakeIntegral(this->Of, input);
+    this->MayBeAtSteps = this->Of.Mode == Automatic;
+    this->Probe =
+      this->MayBeAtSteps ? irradiance::timeBetweenSteps(input, this->Of.Span) : std::nullopt;
+    this->Producer = this->Filter->GetInputExecutive(0, 0);
+    this->Upstream = irradiance::upstreamTime(this->Filter, 0, 0);
+  }
+
+  /// Whether an observer has changed something. Throws RankFailed if only some have.
+  bool HasChanged(irradiance::Ranks& ranks) const
+  {
+    const bool hasChanged = !this->IsUpToDate();
+    ranks.expectSame(hasChanged ? 1 : 0, "something was changed meanwhile, or not,");
+    return hasChanged;
+  }
+
+  void Agree(irradiance::Ranks& ranks) const
+  {
+    if (ranks.areSeveral())
+    {
+      irradiance::Hash hash;
+      std::apply([&](const auto&... all) { (hash.add(all), ...); }, this->Of.Shared());
+      hash.add(irradiance::stepsOf(this->Input()));
+      ranks.expectSame(hash.value(), "other settings or times than on the first process");
+    }
+  }
+
+  /// Those that the ranks visit together, one each.
+  std::vector<double> NextTimes(const irradiance::Ranks& ranks) const
+  {
+    return this->Probe ? std::vector<double>(ranks.count(), *this->Probe)
+                       : this->Integral->nextTimes(ranks.count());
+  }
+
+  /// None if there are fewer than ranks.
+  std::optional<double> OwnTime(const irradiance::Ranks& ranks) const
+  {
+    const std::vector<double> times = this->NextTimes(ranks);
+    return ranks.rank() < times.size() ? std::optional<double>(times[ranks.rank()]) : std::nullopt;
+  }
+
+  void UpdateProducer(const irradiance::Ranks& ranks) const
+  {
+    const std::optional<double> time = this->OwnTime(ranks);
+    if (!time)
+    {
+      return;
+    }
+    this->Input()->Set(Pipeline::UPDATE_TIME_STEP(), *time);
+    if (!this->Producer->Update(this->Filter->GetInputConnection(0, 0)->GetIndex()))
+    {
+      throw irradiance::InputError("the input could not be computed at time " +
+        irradiance::text(*time) + ", see its own error");
+    }
+  }
+
+  void Take(irradiance::ControllerRanks& ranks)
+  {
+    const std::optional<double> time = this->OwnTime(ranks);
+    vtkDataObject* data = this->Filter->GetInputDataObject(0, 0);
+    if (data->GetNumberOfElements(vtkDataObject::CELL) == 0 &&
+      irradiance::forgetAborted(this->Producer))
+    {
+      // SetAbortExecute() is a modification for VTK.
+      this->Upstream = irradiance::upstreamTime(this->Filter, 0, 0);
+      throw irradiance::Interrupted();
+    }
+    const bool isProbe = this->Probe.has_value();
+    this->Probe.reset();
+    const bool isAtSteps = time && this->MayBeAtSteps &&
+      irradiance::comesAtStepsOnly(
+        this->Producer, this->Filter->GetInputConnection(0, 0)->GetIndex(), this->Of.Span);
+    std::int64_t ranksAtSteps = isAtSteps ? 1 : 0;
+    ranks.sum(&ranksAtSteps, 1);
+    if (ranksAtSteps > 0)
+    {
+      this->Integral =
+        irradiance::integralOver(irradiance::stepTimes(this->Input(), this->Of.Span));
+      this->MayBeAtSteps = false;
+    }
+    else if (!isProbe)
+    {
+      if (time)
+      {
+        irradiance::checkTime(this->Input(), *time, this->Of.Span);
+      }
+      for (const auto& next : ranks.dataOfAll(time ? data : nullptr))
+      {
+        if (this->Of.NumberOfSpreadPhotons > 0)
+        {
+          irradiance::expectReplicates(next);
+        }
+        this->Integral->take(next);
+      }
+    }
+    // Upstream may modify itself as it executes. If something changed a vtkIrradianceFilter
+    // meanwhile, its time rises until it executes again.
+    this->Upstream = irradiance::upstreamTime(this->Filter, 0, 0);
+  }
+
+  void Write(vtkDataObject* output) const
+  {
+    if (!this->Integral->sums().haveCells() && !irradiance::isEmptyPieceRequested(this->Input()))
+    {
+      throw irradiance::InputError("the input has no cells at any of the times that were visited");
+    }
+    this->Integral->sums().write(this->Integral->last(), output);
+    AddTimes(*this->Integral, output->GetFieldData());
+    if (!this->Integral->shortfall().empty())
+    {
+      vtkWarningWithObjectMacro(this->Filter, << this->Integral->shortfall());
+    }
+  }
+
+  vtkRadiantExposureFilter* Filter;
   /// Null, except in a run and after an abort.
   std::unique_ptr<irradiance::ExposureIntegral> Integral;
   Settings Of{};               ///< the integral's
@@ -205,209 +359,10 @@ private:
   vtkMTimeType Upstream = 0;             ///< upstreamTime() of that
 };
 
-bool vtkRadiantExposureFilter::vtkInternals::IsUpToDate(vtkRadiantExposureFilter* filter) const
-{
-  return this->Integral && !this->Integral->isDone() &&
-    this->Producer == filter->GetInputExecutive(0, 0) &&
-    this->Upstream == irradiance::upstreamTime(filter, 0, 0) &&
-    this->Of == CheckedSettings(filter, filter->GetInputInformation(0, 0));
-}
-
-void vtkRadiantExposureFilter::vtkInternals::Begin(vtkRadiantExposureFilter* filter)
-{
-  vtkInformation* input = filter->GetInputInformation(0, 0);
-  this->Forget();
-  this->Of = CheckedSettings(filter, input);
-  this->Integral = MakeIntegral(this->Of, input);
-  this->MayBeAtSteps = this->Of.Mode == Automatic;
-  this->Probe =
-    this->MayBeAtSteps ? irradiance::timeBetweenSteps(input, this->Of.Span) : std::nullopt;
-  this->Producer = filter->GetInputExecutive(0, 0);
-  this->Upstream = irradiance::upstreamTime(filter, 0, 0);
-}
-
-void vtkRadiantExposureFilter::vtkInternals::Prepare(vtkRadiantExposureFilter* filter)
-{
-  const irradiance::ControllerRanks ranks = this->GetRanks();
-  vtkInformation* input = filter->GetInputInformation(0, 0);
-  if (ranks.areSeveral())
-  {
-    irradiance::requestWhole(input);
-    this->Forget(); // after an abort not all may have come as far
-  }
-  irradiance::request(input, irradiance::UpstreamRequest::Alone, ranks.areSeveral());
-  irradiance::request(input, irradiance::UpstreamRequest::Replicates);
-  if (!this->IsUpToDate(filter))
-  {
-    this->Begin(filter);
-  }
-  // With more ranks than times, some ranks have no time of their own. They ask for the last one, as
-  // VTK updates what is upstream in any case; its result is not used.
-  const double last = this->NextTimes(ranks).back();
-  input->Set(Pipeline::UPDATE_TIME_STEP(), this->OwnTime(ranks).value_or(last));
-}
-
-void vtkRadiantExposureFilter::vtkInternals::End(vtkRadiantExposureFilter* filter) const
-{
-  vtkInformation* input = filter->GetInputInformation(0, 0);
-  irradiance::request(input, irradiance::UpstreamRequest::Replicates, false);
-  irradiance::request(input, irradiance::UpstreamRequest::Alone, false);
-}
-
-/// Whether an observer has changed something. Throws RankFailed if only some have.
-bool vtkRadiantExposureFilter::vtkInternals::HasChanged(
-  vtkRadiantExposureFilter* filter, irradiance::Ranks& ranks) const
-{
-  const bool hasChanged = !this->IsUpToDate(filter);
-  ranks.expectSame(hasChanged ? 1 : 0, "something was changed meanwhile, or not,");
-  return hasChanged;
-}
-
-void vtkRadiantExposureFilter::vtkInternals::Agree(
-  vtkRadiantExposureFilter* filter, irradiance::Ranks& ranks) const
-{
-  if (ranks.areSeveral())
-  {
-    ranks.expectSame(HashOf(this->Of, filter->GetInputInformation(0, 0)),
-      "other settings or times than on the first process");
-  }
-}
-
-/// Those that the ranks visit together, one each.
-std::vector<double> vtkRadiantExposureFilter::vtkInternals::NextTimes(
-  const irradiance::Ranks& ranks) const
-{
-  return this->Probe ? std::vector<double>(ranks.count(), *this->Probe)
-                     : this->Integral->nextTimes(ranks.count());
-}
-
-/// None if there are fewer than ranks.
-std::optional<double> vtkRadiantExposureFilter::vtkInternals::OwnTime(
-  const irradiance::Ranks& ranks) const
-{
-  const std::vector<double> times = this->NextTimes(ranks);
-  return ranks.rank() < times.size() ? std::optional<double>(times[ranks.rank()]) : std::nullopt;
-}
-
-void vtkRadiantExposureFilter::vtkInternals::UpdateProducer(
-  vtkRadiantExposureFilter* filter, const irradiance::Ranks& ranks) const
-{
-  const std::optional<double> time = this->OwnTime(ranks);
-  if (!time)
-  {
-    return;
-  }
-  filter->GetInputInformation(0, 0)->Set(Pipeline::UPDATE_TIME_STEP(), *time);
-  if (!this->Producer->Update(filter->GetInputConnection(0, 0)->GetIndex()))
-  {
-    throw irradiance::InputError(
-      "the input could not be computed at time " + irradiance::text(*time) + ", see its own error");
-  }
-}
-
-void vtkRadiantExposureFilter::vtkInternals::Take(
-  vtkRadiantExposureFilter* filter, irradiance::Ranks& ranks)
-{
-  const std::optional<double> time = this->OwnTime(ranks);
-  vtkDataObject* data = filter->GetInputDataObject(0, 0);
-  if (data->GetNumberOfElements(vtkDataObject::CELL) == 0 &&
-    irradiance::forgetAborted(this->Producer))
-  {
-    this->Upstream =
-      irradiance::upstreamTime(filter, 0, 0); // SetAbortExecute() is a modification for VTK
-    throw irradiance::Interrupted();
-  }
-  const bool isProbe = this->Probe.has_value();
-  this->Probe.reset();
-  const bool isAtSteps = time && this->MayBeAtSteps &&
-    irradiance::comesAtStepsOnly(
-      this->Producer, filter->GetInputConnection(0, 0)->GetIndex(), this->Of.Span);
-  std::int64_t ranksAtSteps = isAtSteps ? 1 : 0;
-  ranks.sum(&ranksAtSteps, 1);
-  if (ranksAtSteps > 0)
-  {
-    this->IntegrateOverSteps(filter);
-  }
-  else if (!isProbe)
-  {
-    if (time)
-    {
-      irradiance::checkTime(filter->GetInputInformation(0, 0), *time, this->Of.Span);
-    }
-    for (const auto& next : irradiance::dataOfRanks(time ? data : nullptr, this->Controller, ranks))
-    {
-      if (this->Of.NumberOfSpreadPhotons > 0)
-      {
-        irradiance::expectReplicates(next);
-      }
-      this->Integral->take(next);
-    }
-  }
-  // Upstream may modify itself as it executes. If something changed a vtkIrradianceFilter
-  // meanwhile, its time rises until it executes again.
-  this->Upstream = irradiance::upstreamTime(filter, 0, 0);
-}
-
-void vtkRadiantExposureFilter::vtkInternals::IntegrateOverSteps(vtkRadiantExposureFilter* filter)
-{
-  this->Integral = std::make_unique<irradiance::GivenTimesIntegral>(
-    irradiance::stepTimes(filter->GetInputInformation(0, 0), this->Of.Span));
-  this->MayBeAtSteps = false;
-}
-
-void vtkRadiantExposureFilter::vtkInternals::Run(
-  vtkRadiantExposureFilter* filter, irradiance::Ranks& ranks, vtkDataObject* output)
-{
-  irradiance::SmpExecution execution = irradiance::executionOf(filter);
-  this->Agree(filter, ranks);
-  this->Take(filter, ranks);
-  while (!this->Integral->isDone())
-  {
-    if (!execution.reportProgress(this->Integral->progress()))
-    {
-      throw irradiance::Interrupted();
-    }
-    if (this->HasChanged(filter, ranks))
-    {
-      this->Producer->UpdateInformation();
-      this->Begin(filter);
-      this->Agree(filter, ranks);
-    }
-    this->UpdateProducer(filter, ranks);
-    this->Take(filter, ranks);
-  }
-  if (this->Of.NumberOfSpreadPhotons > 0)
-  {
-    irradiance::ProgressSpan end(execution, 1, 1);
-    this->Integral->sums().spread(this->Of.NumberOfSpreadPhotons, end);
-  }
-  this->Write(filter, output);
-  if (ranks.areSeveral() && irradiance::isEmptyPieceRequested(filter->GetOutputInformation(0)))
-  {
-    irradiance::removeElements(output);
-  }
-}
-
-void vtkRadiantExposureFilter::vtkInternals::Write(
-  vtkRadiantExposureFilter* filter, vtkDataObject* output) const
-{
-  if (!this->Integral->sums().haveCells() &&
-    !irradiance::isEmptyPieceRequested(filter->GetInputInformation(0, 0)))
-  {
-    throw irradiance::InputError("the input has no cells at any of the times that were visited");
-  }
-  this->Integral->sums().write(this->Integral->last(), output);
-  AddTimes(*this->Integral, output->GetFieldData());
-  if (!this->Integral->shortfall().empty())
-  {
-    vtkWarningWithObjectMacro(filter, << this->Integral->shortfall());
-  }
-}
-
 vtkRadiantExposureFilter::vtkRadiantExposureFilter()
   : StartTime(std::numeric_limits<double>::quiet_NaN())
   , EndTime(std::numeric_limits<double>::quiet_NaN())
-  , Internals(new vtkInternals)
+  , Internals(new vtkInternals(this))
 {
 }
 
@@ -415,13 +370,11 @@ vtkRadiantExposureFilter::~vtkRadiantExposureFilter() = default;
 
 vtkExecutive* vtkRadiantExposureFilter::CreateDefaultExecutive()
 {
-  auto* pipeline = irradiance::RanksPipeline::New();
-  pipeline->upstreamFailed = [this] {
-    this->Internals->End(this);
+  return irradiance::newRanksPipeline([this] {
+    this->Internals->End();
     this->Internals->Forget();
     this->Internals->GetRanks().withdraw();
-  };
-  return pipeline;
+  });
 }
 
 void vtkRadiantExposureFilter::SetController(vtkMultiProcessController* controller)
@@ -440,10 +393,7 @@ vtkMultiProcessController* vtkRadiantExposureFilter::GetController()
 
 int vtkRadiantExposureFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  // Composite types first: else the executive would call the filter for each block separately.
-  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  irradiance::setInputTypes(info, "vtkDataObjectTree", "vtkDataSet");
   return 1;
 }
 
@@ -462,7 +412,7 @@ int vtkRadiantExposureFilter::RequestUpdateExtent(
   this->Internals->Error.clear();
   try
   {
-    this->Internals->Prepare(this);
+    this->Internals->Prepare();
   }
   catch (const std::exception& error)
   {
@@ -483,7 +433,7 @@ int vtkRadiantExposureFilter::RequestData(
     {
       throw irradiance::InputError(this->Internals->Error);
     }
-    this->Internals->Run(this, ranks, output);
+    this->Internals->Run(ranks, output);
     isAborted = false;
   };
   const int result = irradiance::runFilter(this, output, compute, &ranks);
@@ -491,7 +441,7 @@ int vtkRadiantExposureFilter::RequestData(
   {
     this->Internals->Forget();
   }
-  this->Internals->End(this);
+  this->Internals->End();
   return result;
 }
 

@@ -4,24 +4,23 @@
  * @brief   radiant exposure (dose) of every cell: irradiance, integrated over time
  *
  * Visits its input, the output of a vtkIrradianceFilter or of what follows it, at a number of times
- * and sums up
+ * and sums up, by the trapezoidal rule,
  *
- *   H = sum of w_i E(t_i),  w_i = (t_i+1 - t_i-1) / 2,
+ *   H = sum of w_i E(t_i),  w_i = (t_i+1 - t_i-1) / 2;
  *
- * which is the trapezoidal rule; at the ends, the end itself takes the place of the missing
- * neighbour. One execution visits all times: each is an update of what is upstream. By default the
- * times follow from the irradiance. Data that exist only at some times, such as files, are
- * integrated over those, the TIME_STEPS. Documentation/Guide.md, "The dose": an example, which
- * times are visited, and where the standard error comes from.
+ * at the ends, the end itself takes the place of the missing neighbour. One execution visits all
+ * times: each is an update of what is upstream. By default the times follow from the irradiance.
+ * Data that exist only at some times, such as files, are integrated over those, the TIME_STEPS.
+ * Documentation/Guide.md, "The dose": an example, and where the standard error comes from.
  *
  * @section ExposureInput Input
  * Any vtkDataSet, or composite data of them, with the cell arrays of vtkIrradianceFilter:
  * `Irradiance` (W/m2, one or three components), or `IrradianceFront` and `IrradianceBack`. It may
  * come from files. Its cells stay the same over time, in number and order; their points may move.
  *
- * Blocks without cells, and empty ones, receive nothing at that time: a part that appears or leaves
- * is one without cells while it is away. Between the last time without a part and the first with
- * it, the trapezoidal rule counts half a step of its first irradiance.
+ * Blocks without cells, and empty ones, receive nothing at that time: such is a part while it is
+ * away. Between the last time without it and the first with it, half a step of its first irradiance
+ * counts.
  *
  * Without TIME_RANGE and TIME_STEPS upstream nothing changes over time; then give StartTime and
  * EndTime.
@@ -31,9 +30,8 @@
  * it had cells, with its arrays, except those that were integrated. In their place are the cell
  * arrays
  * - `RadiantExposure`, or `RadiantExposureFront` and `RadiantExposureBack` (double, J/m2);
- * - `RadiantExposureStandardError`, or `RadiantExposureFrontStandardError` and
- *   `RadiantExposureBackStandardError` (J/m2), if the input has standard errors; NaN where it is
- *   not known. The 95 % interval is the exposure +- this times the field `ConfidenceFactor`.
+ * - each with `StandardError` behind its name (J/m2), if the input has standard errors; NaN where
+ *   it is not known. The 95 % interval is the exposure +- this times the field `ConfidenceFactor`.
  *
  * Field data of the root: the input's at the last time, and `StartTime`, `EndTime` (s),
  * `NumberOfTimeSteps` (intervals between visited times), `IntegrationTimes` (s, one tuple for each
@@ -50,11 +48,10 @@
  * StartTime or EndTime outside of the input's times, or the wrong way round; no TIME_STEPS among
  * them with TimeSteps; no irradiance, or one of points (see the Guide for the dose of sensors); no
  * replicates of it with NumberOfSpreadPhotons; irradiance that is not finite; blocks whose number
- * of cells or whose arrays differ between times; StalePower (a RepairTimeBudget upstream left walks
- * that are no longer valid, and what rests on them is not what the scene receives); an input that
- * has other times than those asked for, as files between their steps, unless IntegrationMode is
- * Automatic and they are its steps: one error that names block, cell, times and values, and an
- * empty output.
+ * of cells or whose arrays differ between times; StalePower, which a RepairTimeBudget upstream
+ * left; an input with other times than those asked for, as files between their steps, unless
+ * IntegrationMode is Automatic and they are its steps: one error that names block, cell, times and
+ * values, and an empty output.
  */
 
 #ifndef vtkRadiantExposureFilter_h
@@ -96,9 +93,7 @@ public:
   /// @}
 
   /// @{
-  /**
-   * See IntegrationModes. Default Automatic.
-   */
+  /** See IntegrationModes. Default Automatic. */
   vtkSetClampMacro(IntegrationMode, int, TimeSteps, Automatic);
   vtkGetMacro(IntegrationMode, int);
   void SetIntegrationModeToTimeSteps() { this->SetIntegrationMode(TimeSteps); }
@@ -120,8 +115,8 @@ public:
   /**
    * With error control, the error of the integration over time that is tolerated on each block: the
    * sum over its cells of area * error, relative to the sum of area * exposure; > 0. It is an
-   * estimate: what happens between two visited times, and is over at the second, is not seen. So
-   * the first intervals should be no longer than a lamp takes to pass. Default 0.01.
+   * estimate, which does not see what is over between two visited times: the first intervals should
+   * be no longer than a lamp takes to pass. Default 0.01.
    */
   vtkSetMacro(RelativeTolerance, double);
   vtkGetMacro(RelativeTolerance, double);
@@ -140,14 +135,13 @@ public:
   /// @{
   /**
    * On how many photons the dose of a small cell draws, on the average of its block, 1 to
-   * 1,000,000; 0: each cell stands for itself. The dose, not the irradiance of each time, is spread
-   * over neighbouring cells of a vtkPolyData, once, at the end: the noise is about 1 / the root of
-   * this, the blur grows with its root, and energy is conserved in each block, up to rounding.
-   * Other blocks stay as they are. A photon that brings light at many times counts once. Standard
-   * errors are those of the spread dose, without the blur. It needs replicates
-   * (ComputeStandardError of vtkIrradianceFilter), as the number of photons follows from them. What
-   * direct light cells gathered is spread as well. A deforming part is spread as it is at the last
-   * time with cells. Default 0.
+   * 1,000,000; 0: each cell stands for itself. The dose is spread over neighbouring cells of a
+   * vtkPolyData, once, at the end: the noise is about 1 / the root of this, the blur grows with its
+   * root, and energy is conserved in each block, up to rounding. Other blocks stay as they are. A
+   * photon that brings light at many times counts once. Standard errors are those of the spread
+   * dose, without the blur. It needs replicates (ComputeStandardError of vtkIrradianceFilter). The
+   * direct light that cells gathered is spread as well. A deforming part is spread as it is at the
+   * last time with cells. Default 0.
    */
   vtkSetMacro(NumberOfSpreadPhotons, int);
   vtkGetMacro(NumberOfSpreadPhotons, int);
@@ -157,12 +151,12 @@ public:
   /**
    * The processes that share the times, for example a vtkMPIController; null: this one alone. Each
    * has the whole pipeline and computes every n-th time; a vtkIrradianceFilter upstream computes
-   * alone then, whatever its Controller. Each has the whole output, with the bits that one process
-   * alone would give; of several pieces, the first has all. All have to update this filter at the
-   * same time, with the same input and settings; else, or if one fails or is aborted, each has one
-   * error. While intervals are halved, only one or two times are known in advance, and other
-   * processes wait. As a rule, give the Controller to vtkIrradianceFilter instead: see "Several
-   * processes" in the Guide. Default null.
+   * alone then, whatever its Controller. Each has the whole output, with the bits of one process
+   * alone; of several pieces, the first has all. All have to update this filter at the same time,
+   * with the same input and settings; else, or if one fails or is aborted, each has one error.
+   * While intervals are halved, one or two times are known in advance, and other processes wait. As
+   * a rule, give the Controller to vtkIrradianceFilter: see "Several processes" in the Guide.
+   * Default null.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();

@@ -7,7 +7,6 @@
 #include "Execution/ProgressSpan.h"
 #include "Execution/Stopwatch.h"
 #include "FinalGather/PathLights.h"
-#include "Walks/DirectSources.h"
 
 #include <algorithm>
 #include <cassert>
@@ -170,8 +169,27 @@ void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& 
   if (change.kind == FrameChange::Replace)
   {
     walks_.replaceCells(frame_.objects, frame_.triangles.numbers(), beginning);
-    photons_.forget();
+    photons_.reset();
   }
+}
+
+void IrradianceEngine::collectPhotons(Execution& execution)
+{
+  assert(storesWalks());
+  if (photons_)
+  {
+    return;
+  }
+  auto photons = std::make_unique<LeafPhotons>(objects());
+  const auto count = static_cast<double>(walks_.sets().size());
+  double done = 0;
+  for (const WalkSet& set : walks_.sets())
+  {
+    ProgressSpan part(execution, done / count, (done + 1) / count);
+    photons->add(set.history(), 0, set.history().size(), part);
+    ++done;
+  }
+  photons_ = std::move(photons);
 }
 
 void IrradianceEngine::commitScene(Execution& execution)
@@ -194,7 +212,7 @@ void IrradianceEngine::start(Execution& execution)
 {
   commitScene(execution);
   walks_.start(frame_, execution);
-  photons_.forget();
+  photons_.reset();
 }
 
 void IrradianceEngine::follow(Execution& execution)
@@ -212,18 +230,21 @@ void IrradianceEngine::follow(Execution& execution)
   }
   if (settings_.gathersDirectLight)
   {
-    photons_.forget(); // walks that are born are not among the changes
+    photons_.reset(); // walks that are born are not among the changes
   }
   PhotonChanges changes;
-  walks_.follow(frame_, photons_.areCollected() ? &changes : nullptr, execution);
+  walks_.follow(frame_, photons_ ? &changes : nullptr, execution);
   const Stopwatch stopwatch;
-  photons_.apply(objects(), walks_.histories(), changes, execution);
+  if (photons_)
+  {
+    photons_->apply(objects(), walks_.histories(), changes, execution);
+  }
   statistics_.repairSeconds = stopwatch.seconds();
 }
 
 void IrradianceEngine::shootRound(std::size_t round, Execution& execution)
 {
-  photons_.forget(); // they are collected again, with this round
+  photons_.reset(); // they are collected again, with this round
   walks_.shootRound(round, storesWalks(), frame_, execution);
 }
 
@@ -269,7 +290,7 @@ void IrradianceEngine::reachTarget(Execution& execution)
   }
   if (storesWalks() && sums().rounds() > rounds.walks)
   {
-    photons_.forget();
+    photons_.reset();
   }
   ProgressSpan dropping(execution, progress, progress);
   walks_.dropRounds(rounds.walks, frame_, dropping);

@@ -5,14 +5,12 @@
 #include "Estimates/CellEstimate.h"
 #include "Estimates/CellEstimator.h"
 #include "Execution/Execution.h"
-#include "Photons/KeptPhotons.h"
 #include "Photons/NearestPhotons.h"
 #include "Repair/SceneChange.h"
 #include "Surfaces/Frame.h"
-#include "Walks/FrameLights.h"
+#include "Walks/LightSurvey.h"
 #include "Walks/WalkSets.h"
 
-#include <cassert>
 #include <memory>
 
 namespace irradiance
@@ -120,13 +118,9 @@ public:
   /// Collects the photons of the history, unless that was done before; then updates keep them up to
   /// date, or forget them where direct light is gathered. Those are then photons of indirect light
   /// alone. Needs stored walks. Throws Interrupted.
-  void collectPhotons(Execution& execution)
-  {
-    assert(storesWalks());
-    photons_.collect(objects(), walks_.histories(), execution);
-  }
+  void collectPhotons(Execution& execution);
   /// What was collected.
-  const LeafPhotons& photons() const { return photons_.get(); }
+  const LeafPhotons& photons() const { return *photons_; }
   /// Prepares the surfaces of all objects, on which sensors stand, unless that was done before.
   /// Throws Interrupted.
   void prepareSurfaces(Execution& execution)
@@ -170,7 +164,7 @@ private:
   FrameLights lights_;       ///< of that or the last frame
   EngineSettings settings_;
   WalkSets walks_;
-  KeptPhotons photons_;
+  std::unique_ptr<LeafPhotons> photons_;     ///< null until they are collected
   Surfaces surfaces_;                        ///< empty until they are prepared
   std::unique_ptr<CellEstimator> estimator_; ///< null before the first update
   EstimateRounds rounds_;                    ///< of the last estimate

@@ -73,7 +73,7 @@ measure()
     program=(env VTK_SMP_BACKEND_IN_USE=STDThread "PV_PLUGIN_PATH=$(echo "$build"/paraview/lib/paraview-*/plugins)"
       "$home/Utilities/run-under-xvfb.sh" "$sdk/usr/bin/pvpython" "${program[@]:2}")
   # One thread, and a display for the picture.
-  [[ $1 != BenchmarkDirectLight ]] ||
+  [[ $1 != BenchmarkMethods ]] ||
     program=(env VTK_SMP_BACKEND_IN_USE=Sequential "$home/Utilities/run-under-xvfb.sh" "${program[@]}")
   # As root in a container, without a shell to other machines.
   [[ $1 != BenchmarkRanks ]] ||
@@ -98,28 +98,20 @@ mkdir -p "$build/results"
 cd "$build/results"
 if [[ $part != accuracy ]]; then
   measure BenchmarkRayCasting "300000 5" "10000 2"
-  measure BenchmarkTraversalModes "" "10000 2"
-  measure BenchmarkStages "" "20000 2 2"
-  measure BenchmarkFarAndMany "" "5000 1"
   measure BenchmarkMovingTeapot "1000000 5" "20000 2 2"
   measure BenchmarkShooting "" "20000 2"
   measure BenchmarkGathering "" "20000 2 16 64"
-  measure BenchmarkGatherTarget "" "5000 10000 1 1"
   measure BenchmarkSensors "" "20000 2 200 64 1"
-  measure BenchmarkFrameProfile "" "20000 2"
-  measure BenchmarkRepairBudget "" "20000 2"
   measure BenchmarkRanks "" "20000 2"
-  measure BenchmarkPhotonStores "1000000 11" "20000 2"
-  measure BenchmarkRadiance "" "20000 1 4"
-  measure BenchmarkNearestPhotons "" "20000 2 1000"
+  measure BenchmarkPhotonStores "" "20000 2 1000"
   measure BenchmarkPython "" "2 20"
   measure BenchmarkParaView "" "20000 3"
-  write_page Performance Benchmark{RayCasting,TraversalModes,Stages,FarAndMany,Shooting,Gathering,GatherTarget,Sensors,MovingTeapot,FrameProfile,RepairBudget,Ranks,PhotonStores,Radiance,NearestPhotons,Python,ParaView}.csv
+  write_page Performance Benchmark{RayCasting,Shooting,Gathering,Sensors,MovingTeapot,Ranks,PhotonStores,Python,ParaView}.csv
 fi
 if [[ $part != performance ]]; then
-  measure BenchmarkDirectLight "15 $documentation/pictures/DirectLight.png $documentation/pictures/CellsInTheSameTime.png" "2"
+  measure BenchmarkMethods "15 $documentation/pictures/DirectLight.png $documentation/pictures/CellsInTheSameTime.png" "2"
   measure BenchmarkDefault "" "20000 1 0 3"
   measure BenchmarkAccuracy "" "65536 1"
   measure BenchmarkCellEstimates "" "100000 1 400000"
-  write_page SpeedAndAccuracy Benchmark{DirectLight,Default,Accuracy,CellEstimates}.csv
+  write_page SpeedAndAccuracy Benchmark{Methods,Default,Accuracy,CellEstimates}.csv
 fi

@@ -27,7 +27,8 @@ if (NOT build)
   # Kept from run to run: what did not change is not built again.
   set(build "${scratch}/build")
   run("${CMAKE_COMMAND}" -S "${source}" -B "${build}" ${toolchain}
-    -DBUILD_TESTING=OFF -DBUILD_SHARED_LIBS=OFF -DCMAKE_UNITY_BUILD=ON "-DCMAKE_INSTALL_PREFIX=${prefix}"
+    -DBUILD_TESTING=OFF -DBUILD_SHARED_LIBS=OFF -DCMAKE_UNITY_BUILD=ON -DCMAKE_CXX_FLAGS_RELEASE=-O0
+    "-DCMAKE_INSTALL_PREFIX=${prefix}"
     "-DVTKIRRADIANCE_ENGINE_DIR=${engine}")
   run("${CMAKE_COMMAND}" --build "${build}" --parallel)
 endif ()

@@ -3,7 +3,6 @@
 
 #include "ExtremeScenes.h"
 
-#include <cstdio>
 #include <fstream>
 
 using namespace ExtremeScenes;
@@ -28,15 +27,10 @@ double PeakBytes()
 
 Mesh MakeTriangle()
 {
-  vtkNew<vtkPoints> points;
-  points->InsertNextPoint(0, 0, 0);
-  points->InsertNextPoint(1, 0, 0);
-  points->InsertNextPoint(0, 1, 0);
+  const Mesh triangle = MakeSensors({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 0, 1 } });
   vtkNew<vtkCellArray> cells;
   const vtkIdType ids[3] = { 0, 1, 2 };
   cells->InsertNextCell(3, ids);
-  auto triangle = Mesh::New();
-  triangle->SetPoints(points);
   triangle->SetPolys(cells);
   SetCellValues(triangle, "RadiantExitance", { 2 });
   return triangle;
@@ -85,11 +79,7 @@ TEST(ExtremeCounts, TwoMillionTriangles)
   const auto filter = MakeFilter(scene, 20000);
   filter->Update();
   const double each = (PeakBytes() - before) / triangles;
-  std::printf("%.0f triangles: %.0f bytes each at most; %.1f GB for 20 million\n", triangles, each,
-    2e7 * each / 1e9);
   EXPECT_LT(each, 2000);
-  const vtkTypeUInt64 tree = filter->GetMTime();
-  EXPECT_GT(tree, 0u);
   scene.Moving[0].Pose->Translate(0.1, 0, 0);
   filter->Update();
   EXPECT_EQ(Field(filter, "EmittedPower"), Field(filter, "AbsorbedPower"));
@@ -102,7 +92,7 @@ class ExtremeWalks : public testing::TestWithParam<vtkIdType>
 {
 };
 
-// See TestExtremeLengths for the deviation. Of one or two walks the mean is printed only.
+// See TestExtremeLengths for the deviation. The mean of one or two walks may be anything.
 TEST_P(ExtremeWalks, TheFurnaceHolds)
 {
   const vtkIdType walks = GetParam();
@@ -116,12 +106,9 @@ TEST_P(ExtremeWalks, TheFurnaceHolds)
   for (int frame = 0; frame < (scene.Moving.empty() ? 1 : 2); ++frame)
   {
     ASSERT_NO_FATAL_FAILURE(ExpectLaws(filter, scene));
-    const double mean = MeanIrradiance(filter, 0, 0);
-    std::printf("%lld walks: mean irradiance %.6f, %.0f bytes of history each\n",
-      static_cast<long long>(walks), mean, Field(filter, "HistoryBytes") / double(walks));
     if (walks > 1000)
     {
-      EXPECT_NEAR(mean, 1, InThisRun(5 * 0.25 / std::sqrt(double(walks))));
+      EXPECT_NEAR(MeanIrradiance(filter, 0, 0), 1, InThisRun(5 * 0.25 / std::sqrt(double(walks))));
     }
     if (!scene.Moving.empty())
     {
@@ -134,4 +121,4 @@ INSTANTIATE_TEST_SUITE_P(From1, ExtremeWalks,
   testing::ValuesIn(IsThorough()
       ? std::vector<vtkIdType>{ 1, 2, 1023, 1025, 100000, 1000000, 100000000 }
       : std::vector<vtkIdType>{ 1, 2, 1023, 1025, 100000 }),
-  [](const auto& info) { return "Number" + std::to_string(info.index); });
+  NumberOf);

@@ -78,21 +78,19 @@ double TruthAt(const Place& place, bool hasFarLamp)
 void ExpectTruth(vtkIrradianceFilter* filter, const std::vector<Place>& places,
   const Vector& offset, bool hasFarLamp)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkDoubleArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  const bool haveNormals = places[0].Normal != Vector{ 0, 0, 0 };
+  std::vector<Vector> positions, normals;
   for (const Place& place : places)
   {
-    points->InsertNextPoint(
-      offset[0] + place.Position[0], offset[1] + place.Position[1], offset[2] + place.Position[2]);
-    normals->InsertNextTuple(place.Normal.data());
+    const Vector& at = place.Position;
+    positions.push_back({ offset[0] + at[0], offset[1] + at[1], offset[2] + at[2] });
+    normals.push_back(place.Normal);
   }
-  vtkNew<vtkPolyData> sensors;
-  sensors->SetPoints(points);
-  sensors->GetPointData()->SetNormals(haveNormals ? normals.Get() : nullptr);
+  const bool haveNormals = normals[0] != Vector{ 0, 0, 0 };
+  const Mesh sensors = MakeSensors(positions, normals);
+  if (!haveNormals)
+  {
+    sensors->GetPointData()->Initialize();
+  }
   vtkNew<vtkIrradianceProbeFilter> probe;
   probe->SetInputData(sensors);
   probe->SetSourceConnection(filter->GetOutputPort());

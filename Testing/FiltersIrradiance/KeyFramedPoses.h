@@ -5,9 +5,7 @@
 #include "ErrorObserver.h"
 #include "TestScenes.h"
 
-#include "vtkInformation.h"
 #include "vtkKeyFramedPose.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <gtest/gtest.h>
 
@@ -75,20 +73,6 @@ inline std::string ErrorOf(vtkKeyFramedPose* pose, double time)
   EXPECT_EQ(pose->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_EQ(observer->Errors.size(), 1u);
   return observer->Errors.empty() ? "" : observer->Errors[0];
-}
-
-inline std::vector<double> StepsOf(vtkKeyFramedPose* pose)
-{
-  pose->UpdateInformation();
-  vtkInformation* info = pose->GetOutputInformation(0);
-  auto* key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
-  return info->Has(key) ? std::vector<double>(info->Get(key), info->Get(key) + info->Length(key))
-                        : std::vector<double>();
-}
-
-inline void ExpectPart(const std::string& text, const std::string& part)
-{
-  EXPECT_NE(text.find(part), std::string::npos) << text << "\nhas not: " << part;
 }
 
 }

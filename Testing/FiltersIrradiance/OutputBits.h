@@ -19,8 +19,14 @@
 class OutputBits
 {
 public:
-  explicit OutputBits(vtkMultiBlockDataSet* output)
+  explicit OutputBits(vtkDataObject* data)
   {
+    if (auto* polyData = vtkPolyData::SafeDownCast(data))
+    {
+      this->AddBlock("", polyData);
+      return;
+    }
+    auto* output = vtkMultiBlockDataSet::SafeDownCast(data);
     static const char* const names[2] = { "Static ", "Dynamic " };
     for (unsigned int port = 0; port < output->GetNumberOfBlocks(); ++port)
     {
@@ -39,8 +45,6 @@ public:
     : OutputBits(filter->GetOutput())
   {
   }
-
-  explicit OutputBits(vtkPolyData* polyData) { this->AddBlock("", polyData); }
 
   bool IsEmpty() const { return this->Arrays.empty(); }
 
@@ -135,5 +139,13 @@ private:
 
   std::map<std::string, std::vector<unsigned char>> Arrays;
 };
+
+/// Updates both; whether the first filter has the bits of the other, a new one.
+inline testing::AssertionResult UpdatesLike(vtkIrradianceFilter* filter, vtkIrradianceFilter* fresh)
+{
+  filter->Update();
+  fresh->Update();
+  return IsSame(OutputBits(filter), OutputBits(fresh));
+}
 
 #endif

@@ -2,7 +2,6 @@
 #ifndef OutputChecks_h
 #define OutputChecks_h
 
-#include "PolygonNormal.h"
 #include "RandomModel.h"
 
 #include <gtest/gtest.h>
@@ -110,7 +109,8 @@ inline bool IsFar(vtkPolyData* leaf)
 
 /// The full update takes at most the stale part from a cell, unless light is spread, and brings at
 /// most the bound to all cells. Areas come from points that may be floats.
-inline void ExpectBounds(vtkIrradianceFilter* now, vtkIrradianceFilter* full)
+inline void ExpectBounds(
+  vtkIrradianceFilter* now, vtkIrradianceFilter* full, double errorOfAreas = 1e-3)
 {
   const auto before = LeavesOf(now->GetOutput()), after = LeavesOf(full->GetOutput());
   ASSERT_EQ(before.size(), after.size());
@@ -145,7 +145,7 @@ inline void ExpectBounds(vtkIrradianceFilter* now, vtkIrradianceFilter* full)
     }
     // Of an object 1 km away, points in floats are known to 3e-5 m, and small cells to 1e-3 of
     // their area; of one that is farther away, nothing is known.
-    EXPECT_TRUE(isFar || brought <= bound->GetComponent(0, band) + 1e-3 * received)
+    EXPECT_TRUE(isFar || brought <= bound->GetComponent(0, band) + errorOfAreas * received)
       << brought << " of " << received << " for " << bound->GetComponent(0, band);
   }
 }

@@ -35,6 +35,7 @@ public:
   TestScenes::Mesh Model;
   std::vector<double> Times;
   std::function<void(vtkPolyData*, double)> Change;
+  bool TellsRange = true;
   double FailsAt = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> Visits; ///< the times of all executions
 
@@ -50,7 +51,10 @@ protected:
       vtkInformation* info = output->GetInformationObject(0);
       info->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), this->Times.data(),
         static_cast<int>(this->Times.size()));
-      info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+      if (this->TellsRange)
+      {
+        info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+      }
     }
     return 1;
   }
@@ -76,13 +80,8 @@ protected:
 /// Sets the pose of a part: a translation.
 inline void MoveTo(vtkPolyData* part, const TestScenes::Vector& position)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName("ObjectToWorld");
-  for (std::size_t i = 0; i < 16; ++i)
-  {
-    array->InsertNextValue(i % 4 == 3 && i < 12 ? position[i / 4] : (i % 5 == 0 ? 1 : 0));
-  }
-  part->GetFieldData()->AddArray(array);
+  const auto& [x, y, z] = position;
+  TestScenes::SetField(part, "ObjectToWorld", { 1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z, 0, 0, 0, 1 });
 }
 
 #endif

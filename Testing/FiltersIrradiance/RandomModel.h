@@ -3,7 +3,6 @@
 #define RandomModel_h
 
 #include "RandomGloss.h"
-#include "RandomPoses.h"
 #include "RandomRide.h"
 #include "RandomView.h"
 
@@ -265,16 +264,6 @@ inline bool LimitGloss(vtkDataObject* data, const Settings& settings)
   return isLimited;
 }
 
-/// Adds the field array that moves `data` as a transform does.
-inline void SetObjectToWorld(vtkDataObject* data, vtkTransform* pose)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName("ObjectToWorld");
-  array->SetNumberOfComponents(16);
-  array->InsertNextTuple(pose->GetMatrix()->GetData());
-  data->GetFieldData()->AddArray(array);
-}
-
 inline void MoveRandomly(RandomNumbers& random, vtkTransform* pose)
 {
   switch (random.Below(5))
@@ -284,7 +273,7 @@ inline void MoveRandomly(RandomNumbers& random, vtkTransform* pose)
         random.Between(-0.3, 0.3), random.Between(-0.3, 0.3), random.Between(-0.3, 0.3));
       break;
     case 1:
-      TurnAtRandom(random, pose);
+      pose->RotateWXYZ(random.Between(0, 360), random.Between(-1, 1), random.Between(-1, 1), 1);
       break;
     case 2:
       pose->Identity();

@@ -115,14 +115,13 @@ inline void AbortAView(Trial& t)
   vtkAlgorithm* const views[] = { t.Views.Radiance, t.Views.Probe };
   for (vtkAlgorithm* view : views)
   {
-    const auto meddler = vtkSmartPointer<Meddler>::New();
+    const auto meddler = EventObserver::Watch(view);
     meddler->EventsToWait = t.Random.Below(4);
     meddler->Change = [view] { view->SetAbortExecute(1); };
-    const auto tag = view->AddObserver(vtkCommand::ProgressEvent, meddler);
     t.LimitGloss();
     t.DropFinalGather();
     t.Look();
-    view->RemoveObserver(tag);
+    view->RemoveObserver(meddler);
     view->SetAbortExecute(0);
     view->Modified(); // else it keeps the empty output
     t.Done.Aborts += !meddler->Change;
@@ -187,8 +186,8 @@ inline void Abort(Trial& t)
   t.Filter->Modified();
   if (t.UpdateAndMeddle([&] { t.Filter->SetAbortExecute(1); }))
   {
-    EXPECT_TRUE(t.Filter->GetOutput()->GetNumberOfBlocks() == 0 || t.Observer->Progress == 1)
-      << "aborted at " << t.Observer->Progress;
+    EXPECT_TRUE(t.Filter->GetOutput()->GetNumberOfBlocks() == 0 || t.MeddledAt == 1)
+      << "aborted at " << t.MeddledAt;
     ++t.Done.Aborts;
   }
   t.Filter->SetAbortExecute(0);

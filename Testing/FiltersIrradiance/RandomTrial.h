@@ -3,6 +3,7 @@
 #define RandomTrial_h
 
 #include "ErrorObserver.h"
+#include "EventObserver.h"
 #include "OutputBits.h"
 #include "OutputChecks.h"
 #include "RandomModel.h"
@@ -23,24 +24,6 @@ namespace RandomPrograms
 
 using namespace RandomModels;
 using namespace OutputChecks;
-
-/// Does something at one of the next progress events.
-class Meddler : public vtkCommand
-{
-public:
-  static Meddler* New() { return new Meddler; }
-  void Execute(vtkObject*, unsigned long, void* progress) override
-  {
-    if (this->Change && this->EventsToWait-- == 0)
-    {
-      this->Progress = *static_cast<double*>(progress);
-      std::exchange(this->Change, nullptr)();
-    }
-  }
-  std::function<void()> Change;
-  int EventsToWait = 0;
-  double Progress = 0; ///< when it was done
-};
 
 template <class Updated>
 void Update(Updated& filter, double time, int threads)
@@ -83,7 +66,6 @@ struct Trial
   {
     this->Filter->SetController(controller);
     Configure(this->Filter, this->Given);
-    this->Filter->AddObserver(vtkCommand::ProgressEvent, this->Observer);
   }
 
   std::vector<Connection>& Moving() { return this->Given.Ports[1]; }
@@ -131,7 +113,10 @@ struct Trial
   {
     // The first event comes from the executive, when rides have been computed already.
     this->Observer->EventsToWait = 1 + this->Random.Below(2 << this->Random.Below(5));
-    this->Observer->Change = change;
+    this->Observer->Change = [&] {
+      this->MeddledAt = this->Observer->Progress.back();
+      change();
+    };
     this->Update();
     return !std::exchange(this->Observer->Change, nullptr);
   }
@@ -177,7 +162,8 @@ struct Trial
   bool HasLooked = false; ///< at photons, now or before
   vtkNew<vtkIrradianceFilter> Filter;
   vtkSmartPointer<ErrorObserver> Reports = ErrorObserver::Watch(this->Filter);
-  vtkSmartPointer<Meddler> Observer = vtkSmartPointer<Meddler>::New();
+  vtkSmartPointer<EventObserver> Observer = EventObserver::Watch(this->Filter);
+  double MeddledAt = 0; ///< progress
   ViewFilters Views{ this->Filter };
 };
 

@@ -2,11 +2,7 @@
 #ifndef RandomView_h
 #define RandomView_h
 
-#include "PolygonNormal.h"
 #include "RandomChoices.h"
-
-#include "vtkIdList.h"
-#include "vtkMath.h"
 
 #include <algorithm>
 #include <limits>
@@ -34,11 +30,7 @@ struct View
 /// Half of them on the floor or a wall of the room, the others anywhere.
 inline Mesh RandomSensors(RandomNumbers& random)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkDoubleArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
+  std::vector<Vector> positions, normals;
   for (int i = random.Below(30); i >= 0; --i)
   {
     Vector position = RandomPlace(random);
@@ -50,23 +42,16 @@ inline Mesh RandomSensors(RandomNumbers& random)
       normal[axis] = Chance(random, 2) ? 1 : -2;
       position[axis] = normal[axis] > 0 ? 0 : 3;
     }
-    points->InsertNextPoint(position.data());
-    normals->InsertNextTuple(normal.data());
+    positions.push_back(position);
+    normals.push_back(normal);
   }
-  auto sensors = Mesh::New();
-  sensors->SetPoints(points);
-  sensors->GetPointData()->SetNormals(normals);
-  return sensors;
+  return MakeSensors(positions, normals);
 }
 
 /// At most 16 in the middles of cells, on their front or back.
 inline Mesh SensorsOn(RandomNumbers& random, vtkPolyData* surface)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkDoubleArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
+  std::vector<Vector> positions, normals;
   vtkNew<vtkIdList> ids;
   const int cells = static_cast<int>(surface->GetNumberOfPolys());
   for (int i = 0; i < std::min(cells, 16); ++i)
@@ -86,14 +71,11 @@ inline Mesh SensorsOn(RandomNumbers& random, vtkPolyData* surface)
     const double side = Chance(random, 4) ? -1 : 1;
     if (vtkMath::Norm(normal.data()) > 0)
     {
-      points->InsertNextPoint(middle.data());
-      normals->InsertNextTuple3(side * normal[0], side * normal[1], side * normal[2]);
+      positions.push_back(middle);
+      normals.push_back({ side * normal[0], side * normal[1], side * normal[2] });
     }
   }
-  auto sensors = Mesh::New();
-  sensors->SetPoints(points);
-  sensors->GetPointData()->SetNormals(normals);
-  return sensors;
+  return MakeSensors(positions, normals);
 }
 
 inline void MoveEye(RandomNumbers& random, View& view)

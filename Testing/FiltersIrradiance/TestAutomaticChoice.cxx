@@ -21,9 +21,8 @@ constexpr int Shot = vtkIrradianceFilter::Shot, Gathered = 1;
 /// Updates without an error, and expects this choice in the field data.
 void ExpectChoice(vtkIrradianceFilter* filter, int estimate, int directLight)
 {
-  const auto observer = ErrorObserver::Watch(filter);
-  filter->Update();
-  ASSERT_TRUE(observer->Errors.empty()) << observer->Errors.front();
+  const Reports reports = Update(filter);
+  ASSERT_TRUE(reports.Errors.empty()) << reports.Errors.front();
   EXPECT_EQ(Field(filter, "CellEstimate"), estimate);
   EXPECT_EQ(Field(filter, "DirectLight"), directLight);
 }
@@ -34,8 +33,7 @@ void ExpectBitsOf(vtkIrradianceFilter* filter, const Scene& scene, int estimate,
   const auto asked = MakeDefaultFilter(scene, filter->GetNumberOfWalks());
   asked->SetCellEstimate(estimate);
   asked->SetDirectLight(directLight);
-  asked->Update();
-  EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(asked)));
+  EXPECT_TRUE(UpdatesLike(filter, asked));
 }
 
 /// Takes a filter with the default choice through frames, and compares each with a new filter. The
@@ -48,11 +46,9 @@ void ExpectUpdatesAcrossFlips(
   {
     SCOPED_TRACE(frame);
     goTo(frame);
-    const auto fresh = MakeDefaultFilter(scene, walks);
-    fresh->Update();
     frame % 2 == 0 ? ExpectChoice(updated, FinalGather, Gathered)
                    : ExpectChoice(updated, Spread, directLight);
-    EXPECT_TRUE(IsSame(OutputBits(updated), OutputBits(fresh)));
+    EXPECT_TRUE(UpdatesLike(updated, MakeDefaultFilter(scene, walks)));
     EXPECT_GT(Field(updated, "ShootSeconds"), 0);
   }
 }

@@ -49,10 +49,8 @@ TEST(BlockNames, AreThoseOfTheInputs)
   ride->AddPose(0, 0, 0, 1, 0, 0, 0);
   ride->AddPose(1, 1, 0, 1, 0, 0, 0);
 
-  vtkNew<vtkIrradianceFilter> filter;
-  filter->SetNumberOfWalks(1000);
-  filter->AddInputDataObject(0, lamp);
-  filter->AddInputDataObject(0, MakeRectangle({ -1, -1, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, 2));
+  const Mesh floor = MakeRectangle({ -1, -1, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, 2);
+  const auto filter = MakeDefaultFilter({ { lamp, floor }, {} }, 1000);
   filter->AddInputDataObject(0, boxes);
   filter->AddInputConnection(1, ride->GetOutputPort());
   filter->AddInputDataObject(1, MakeBox(0.1, 0.2, 0.1));
@@ -83,20 +81,13 @@ TEST(BlockNames, AreThoseOfTheInputs)
 TEST(BlockNames, AreNumbersWhereTheArrayHoldsNoText)
 {
   const Mesh lamp = MakeLamp({ 0, 0, 2 }, 1, { 100 });
-  vtkNew<vtkDoubleArray> number;
-  number->SetName("Name");
-  number->InsertNextValue(7);
-  lamp->GetFieldData()->AddArray(number);
+  SetField(lamp, "Name", { 7 });
   const Mesh empty = MakeBox(0.1, 0.1, 0.1), none = MakeBox(0.1, 0.1, 0.2);
   SetName(empty, "");
   vtkNew<vtkStringArray> array;
   array->SetName("Name");
   none->GetFieldData()->AddArray(array);
-  vtkNew<vtkIrradianceFilter> filter;
-  filter->SetNumberOfWalks(1000);
-  filter->AddInputDataObject(0, lamp);
-  filter->AddInputDataObject(0, empty);
-  filter->AddInputDataObject(0, none);
+  const auto filter = MakeDefaultFilter({ { lamp, empty, none }, {} }, 1000);
   filter->Update();
   for (unsigned int i = 0; i < 3; ++i)
   {

@@ -28,11 +28,6 @@ using Tree = vtkSmartPointer<vtkDataObjectTree>;
 
 constexpr vtkIdType Walks = 2000;
 
-Scene Room()
-{
-  return { { MakeRoom(3, 2), MakeLamp({ 1.5, 1.5, 2.9 }, 0.5, { 100 }) }, {} };
-}
-
 /// A ball and, beside it, a box, with an empty leaf between them.
 vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks()
 {
@@ -91,7 +86,7 @@ Vector PlaceAt(double time)
 
 vtkSmartPointer<vtkIrradianceFilter> MakeRidingScene(vtkAlgorithm* ride)
 {
-  auto filter = MakeFilter(Room(), Walks);
+  auto filter = MakeFilter(MakeEmptyRoom(), Walks);
   filter->AddInputConnection(1, ride->GetOutputPort());
   return filter;
 }
@@ -99,7 +94,7 @@ vtkSmartPointer<vtkIrradianceFilter> MakeRidingScene(vtkAlgorithm* ride)
 /// The tree as the dynamic input of a new filter, with a transform.
 OutputBits FreshAt(double time, vtkDataObject* tree)
 {
-  auto fresh = MakeFilter(Room(), Walks);
+  auto fresh = MakeFilter(MakeEmptyRoom(), Walks);
   fresh->AddInputDataObject(1, tree);
   fresh->SetDynamicTransform(0, MakeMoving(nullptr, PlaceAt(time)).Pose);
   fresh->Update();
@@ -142,10 +137,8 @@ TEST(CompositePoses, KeepTheirTimes)
   {
     ride->SetInterpolationType(type);
     ride->UpdateTimeStep(1);
-    vtkInformation* info = ride->GetOutputInformation(0);
-    ASSERT_TRUE(info->Has(vtkStreamingDemandDrivenPipeline::TIME_RANGE()));
-    EXPECT_EQ(info->Get(vtkStreamingDemandDrivenPipeline::TIME_RANGE())[1], 4);
-    EXPECT_EQ(info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()), 5);
+    EXPECT_EQ(RangeOf(ride), (std::vector<double>{ 0, 4 }));
+    EXPECT_EQ(StepsOf(ride).size(), 5u);
     vtkDataObject* output = ride->GetOutputDataObject(0);
     EXPECT_EQ(output->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()), 1);
     EXPECT_EQ(PlaceOf(BallOf(output), 0), type == vtkKeyFramedPose::Step ? 0.5 : 1);
@@ -171,12 +164,8 @@ TEST(CompositePoses, AreExposedAsPlainPolyData)
     exposure->Update();
     auto* output = vtkMultiBlockDataSet::SafeDownCast(exposure->GetOutputDataObject(0));
     EXPECT_EQ(output->GetFieldData()->GetArray("NumberOfTimeSteps")->GetComponent(0, 0), 5);
-    vtkDataArray* walls = OutputOf(output, 0, 0)->GetCellData()->GetArray("RadiantExposure");
-    exposures.emplace_back();
-    for (vtkIdType i = 0; i < walls->GetNumberOfTuples(); ++i)
-    {
-      exposures.back().push_back(walls->GetComponent(i, 0));
-    }
+    exposures.push_back(
+      ValuesOf(OutputOf(output, 0, 0)->GetCellData()->GetArray("RadiantExposure")));
   }
   EXPECT_GT(exposures[0][0], 0);
   EXPECT_EQ(exposures[0], exposures[1]);
@@ -221,11 +210,7 @@ TEST(CompositePoses, ApplyThoseOfTheTreeFirst)
   const auto blocks = MakeBlocks();
   vtkNew<vtkTransform> turn;
   turn->RotateZ(90);
-  vtkNew<vtkDoubleArray> own;
-  own->SetName("ObjectToWorld");
-  own->SetNumberOfComponents(16);
-  own->InsertNextTuple(turn->GetMatrix()->GetData());
-  blocks->GetFieldData()->AddArray(own);
+  SetObjectToWorld(blocks, turn);
   const auto ride = MakeRide(blocks);
   ride->UpdateTimeStep(4);
   vtkDataObject* output = ride->GetOutputDataObject(0);
@@ -250,8 +235,7 @@ TEST(CompositePoses, RefuseOtherDataByName)
     const auto ride = MakeRide(each.Input);
     const auto observer = ErrorObserver::Watch(ride);
     ride->UpdateTimeStep(1);
-    ASSERT_EQ(observer->Errors.size(), 1u);
-    EXPECT_NE(observer->Errors[0].find(each.Words), std::string::npos) << observer->Errors[0];
+    ExpectOne(observer->Errors, { each.Words });
     EXPECT_EQ(ride->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL), 0);
   }
   const auto ride = MakeRide(grid);

@@ -10,6 +10,7 @@
 #include <functional>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <set>
 
 using namespace ExposureScenes;
@@ -76,31 +77,26 @@ TEST(ErrorControlledExposure, IsTheSumOverFreshFiltersAndContinues)
   const std::vector<double>& first = kTimes;
   EXPECT_TRUE(std::includes(times.begin(), times.end(), first.begin(), first.end()));
   EXPECT_GT(times.size(), first.size()) << "nothing was halved";
+  DocumentedSum sums[2]{ { {}, first }, { {}, first } };
+  for (const double time : times)
+  {
+    const auto fresh = scene.FreshAt(time);
+    for (const unsigned int port : { 0u, 1u })
+    {
+      sums[port].Irradiance[time] = ValuesOf(IrradianceOf(fresh, port, 0));
+    }
+  }
   for (const unsigned int port : { 0u, 1u })
   {
-    DocumentedSum sum{ {}, first };
-    for (const double time : times)
-    {
-      const auto fresh = scene.FreshAt(time);
-      vtkDataArray* irradiance = IrradianceOf(fresh, port, 0);
-      for (vtkIdType cell = 0; cell < irradiance->GetNumberOfTuples(); ++cell)
-      {
-        sum.Irradiance[time].push_back(irradiance->GetComponent(cell, 0));
-      }
-    }
-    const std::vector<double> expected = sum.Whole();
-    EXPECT_EQ(std::memcmp(expected.data(), ExposureOf(exposure, port, 0)->GetVoidPointer(0),
-                expected.size() * sizeof(double)),
-      0);
+    EXPECT_EQ(ValuesOf(ExposureOf(exposure, port, 0)), sums[port].Whole());
   }
 
   const OutputBits bits(BlocksOf(exposure));
   scene.Ball->Visits.clear();
-  vtkNew<Aborter> aborter;
-  exposure->AddObserver(vtkCommand::ProgressEvent, aborter);
+  const auto aborter = EventObserver::Watch(exposure);
   for (const int events : { 3, 5, 0 }) // first among the first intervals, then while halving
   {
-    aborter->Events = events;
+    aborter->AbortIn = events;
     exposure->SetAbortExecute(0);
     exposure->Modified();
     exposure->Update();
@@ -136,11 +132,9 @@ TEST(ErrorControlledExposure, HasTheErrorBarsOfItsTimes)
     {
       for (const char* name : { "RadiantExposure", "RadiantExposureStandardError" })
       {
-        vtkDataArray* array = OutputOf(BlocksOf(filter), port, 0)->GetCellData()->GetArray(name);
-        for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-        {
-          values.push_back(array->GetComponent(i, 0));
-        }
+        const auto some =
+          ValuesOf(OutputOf(BlocksOf(filter), port, 0)->GetCellData()->GetArray(name));
+        values.insert(values.end(), some.begin(), some.end());
       }
     }
     values.push_back(FieldOf(filter, "AbsorbedEnergy"));
@@ -171,13 +165,11 @@ TEST(ErrorControlledExposure, ReachesItsTolerance)
   const auto square =
     MakeLitSquare({ 0, 10 }, [](double time) { return 1 / (1 + std::pow((time - 3) / 0.3, 2)); });
   const double exact = 0.3 * (std::atan(7 / 0.3) + std::atan(3 / 0.3));
-  const auto exposure = MakeExposure(square);
-  exposure->SetIntegrationModeToErrorControlled();
+  const auto exposure = MakeErrorControlled(square, 10, 1);
   std::size_t fewer = 0;
   for (const double tolerance : { 0.1, 0.01, 0.001 })
   {
     exposure->SetRelativeTolerance(tolerance);
-    exposure->SetNumberOfTimeSteps(10);
     exposure->Update();
     EXPECT_NEAR(SquareExposure(exposure), exact, tolerance * exact);
     EXPECT_LE(FieldOf(exposure, "TimeIntegrationError"), tolerance);
@@ -190,7 +182,6 @@ TEST(ErrorControlledExposure, ReachesItsTolerance)
     {
       const auto inPeak =
         std::count_if(times.begin(), times.end(), [](double time) { return time > 2 && time < 4; });
-      std::cout << times.size() << " times, of which " << inPeak << " in a fifth of the span\n";
       EXPECT_GT(2 * static_cast<std::size_t>(inPeak), times.size());
     }
   }
@@ -208,11 +199,8 @@ TEST(ErrorControlledExposure, EndsAtAJump)
       }
       SetCellValues(part, "Irradiance", { 3 });
     });
-  const auto exposure = MakeExposure(square);
+  const auto exposure = MakeErrorControlled(square, 2, 1e-4);
   const auto observer = ErrorObserver::Watch(exposure);
-  exposure->SetIntegrationModeToErrorControlled();
-  exposure->SetNumberOfTimeSteps(2);
-  exposure->SetRelativeTolerance(1e-4);
   exposure->Update();
   EXPECT_NEAR(SquareExposure(exposure), 2, 1e-4 * 2);
   EXPECT_LT(FieldOf(exposure, "NumberOfTimeSteps"), 40);
@@ -221,8 +209,7 @@ TEST(ErrorControlledExposure, EndsAtAJump)
   exposure->SetMaximumNumberOfTimeSteps(10);
   exposure->Update();
   EXPECT_LE(FieldOf(exposure, "NumberOfTimeSteps"), 10);
-  ASSERT_EQ(observer->Warnings.size(), 1u);
-  ExpectWords(observer->Warnings[0],
+  ExpectOne(observer->Warnings,
     { "RelativeTolerance 0.0001", "MaximumNumberOfTimeSteps 10", "the input: 0.0" });
   EXPECT_GT(FieldOf(exposure, "TimeIntegrationError"), 1e-4);
   EXPECT_NEAR(SquareExposure(exposure), 2, 2 * FieldOf(exposure, "TimeIntegrationError"));
@@ -297,11 +284,8 @@ TEST(ErrorControlledExposure, HoldsFewTimes)
 {
   std::vector<vtkWeakPointer<vtkDataArray>> arrays;
   std::size_t mostHeld = 0;
-  std::vector<double> steps;
-  for (int i = 0; i <= 400; ++i)
-  {
-    steps.push_back(i);
-  }
+  std::vector<double> steps(401);
+  std::iota(steps.begin(), steps.end(), 0);
   const auto square = PartOverTime::Make(MakeRectangle({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 1),
     steps, [&](vtkPolyData* part, double time) {
       SetCellValues(part, "Irradiance", { 1 + (std::fmod(time, 100) > 70.3 ? 1.0 : 0.0) });
@@ -314,7 +298,6 @@ TEST(ErrorControlledExposure, HoldsFewTimes)
   exposure->Update();
   EXPECT_NEAR(SquareExposure(exposure), 400 + 4 * 29.7, 1e-4 * 520);
   EXPECT_GT(arrays.size(), 400u);
-  std::cout << mostHeld << " of " << arrays.size() << " times held\n";
   EXPECT_LT(mostHeld, 40u);
 }
 

@@ -3,7 +3,6 @@
 
 #include "ExposureScenes.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkKeyFramedPose.h"
 
 using namespace ExposureScenes;
@@ -12,10 +11,9 @@ TEST(RadiantExposure, ContinuesAfterAnAbort)
 {
   const WalkThrough scene(1000);
   const auto exposure = MakeExposure(scene.Irradiance);
-  vtkNew<Aborter> aborter;
-  exposure->AddObserver(vtkCommand::ProgressEvent, aborter);
+  const auto aborter = EventObserver::Watch(exposure);
   const auto abortedUpdate = [&] {
-    aborter->Events = 3; // the first event comes before anything is done
+    aborter->AbortIn = 3; // the first event comes before anything is done
     exposure->Modified();
     exposure->Update();
     EXPECT_EQ(BlocksOf(exposure)->GetNumberOfBlocks(), 0u);
@@ -46,95 +44,59 @@ TEST(RadiantExposure, ContinuesAfterAnAbort)
   expectAnew(kTimes);
 }
 
-namespace
-{
-
-/// Aborts the n-th execution from when it is told so.
-class ExecutionAborter : public vtkCommand
-{
-public:
-  static ExecutionAborter* New() { return new ExecutionAborter; }
-  void Execute(vtkObject* caller, unsigned long event, void*) override
-  {
-    if (event == vtkCommand::StartEvent)
-    {
-      ++this->Starts;
-      --this->Executions;
-    }
-    else if (this->Executions == 0)
-    {
-      static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-    }
-  }
-  int Executions = 0;
-  int Starts = 0;
-};
-
-}
-
 // The user aborts the long first shooting, or an update, where its progress is seen.
 TEST(RadiantExposure, ContinuesAfterAnAbortUpstream)
 {
   const WalkThrough scene(1000);
   const auto exposure = MakeExposure(scene.Irradiance);
   const auto observer = ErrorObserver::Watch(exposure);
-  vtkNew<ExecutionAborter> aborter;
-  scene.Irradiance->AddObserver(vtkCommand::StartEvent, aborter);
-  scene.Irradiance->AddObserver(vtkCommand::ProgressEvent, aborter);
+  const auto starts = EventObserver::Watch(scene.Irradiance, vtkCommand::StartEvent);
+  const auto aborter = EventObserver::Watch(scene.Irradiance);
   for (const int execution : { 1, 3, 0 })
   {
-    aborter->Executions = execution;
+    starts->EventsToWait = execution - 1;
+    starts->Change = [&] { aborter->AbortIn = 1; };
     exposure->Modified();
     exposure->Update();
     EXPECT_EQ(BlocksOf(exposure)->GetNumberOfBlocks(), execution == 0 ? 2u : 0u);
   }
   EXPECT_TRUE(observer->Errors.empty() && observer->Warnings.empty());
   ExpectSumOverFresh(exposure, scene, kTimes);
-  EXPECT_EQ(aborter->Starts, static_cast<int>(kTimes.size()) + 2) << "two were aborted";
+  EXPECT_EQ(starts->Count, static_cast<int>(kTimes.size()) + 2) << "two were aborted";
 }
 
 // Many a reader sets itself up when it is first asked; that is no change of the scene.
 TEST(RadiantExposure, OfASourceThatModifiesItselfContinuesToo)
 {
   const auto make = [] {
-    auto irradiance = MakeFilter(WalkThrough::Room(), 1000);
+    auto irradiance = MakeFilter(MakeEmptyRoom(), 1000);
     vtkNew<vtkKeyFramedPose> way;
     way->SetInputDataObject(MakeBall(0.3, 6));
     for (int key = 0; key < 3; ++key)
     {
       way->AddPose(key, 0.6 + 0.5 * key, 1.2 + 0.1 * key * key, 1, 0, 0, 0);
     }
-    vtkNew<vtkCallbackCommand> setUp;
-    setUp->SetCallback([](vtkObject* caller, unsigned long, void*, void*) {
-      caller->RemoveAllObservers();
-      caller->Modified();
-    });
-    way->AddObserver(vtkCommand::EndEvent, setUp);
+    EventObserver::Watch(way, vtkCommand::EndEvent)->Change = [source = way.Get()] {
+      source->Modified();
+    };
     irradiance->AddInputConnection(1, way->GetOutputPort());
     return irradiance;
   };
   const auto irradiance = make(), other = make();
   const auto exposure = MakeExposure(irradiance), whole = MakeExposure(other);
   const auto observer = ErrorObserver::Watch(exposure);
-  vtkNew<Aborter> aborter;
-  exposure->AddObserver(vtkCommand::ProgressEvent, aborter);
-  int updates = 0;
-  vtkNew<vtkCallbackCommand> counter;
-  counter->SetClientData(&updates);
-  counter->SetCallback(
-    [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
-  irradiance->AddObserver(vtkCommand::EndEvent, counter);
+  const auto updates = EventObserver::Watch(irradiance, vtkCommand::EndEvent);
   for (vtkRadiantExposureFilter* filter : { exposure.Get(), whole.Get() })
   {
     filter->SetIntegrationModeToUniform();
     filter->SetNumberOfTimeSteps(5);
   }
-  aborter->Events = 4;
+  EventObserver::Watch(exposure)->AbortIn = 4;
   exposure->Update();
   EXPECT_EQ(BlocksOf(exposure)->GetNumberOfBlocks(), 0u);
   exposure->SetAbortExecute(0);
   exposure->Update();
-  EXPECT_EQ(updates, 6) << "every time once";
+  EXPECT_EQ(updates->Count, 6) << "every time once";
   whole->Update();
   EXPECT_TRUE(IsSame(OutputBits(BlocksOf(exposure)), OutputBits(BlocksOf(whole))));
   EXPECT_TRUE(observer->Warnings.empty() && observer->Errors.empty());
@@ -144,8 +106,7 @@ TEST(RadiantExposure, ReportsProgress)
 {
   const auto square = MakeLitSquare({ 0, 1, 2, 3 }, [](double time) { return time; });
   const auto exposure = MakeExposure(square);
-  vtkNew<Aborter> observer;
-  exposure->AddObserver(vtkCommand::ProgressEvent, observer);
+  const auto observer = EventObserver::Watch(exposure);
   exposure->Update();
   EXPECT_EQ(observer->Progress, (std::vector<double>{ 0, 0.25, 0.5, 0.75, 1 }));
 }
@@ -155,27 +116,13 @@ TEST(RadiantExposure, StartsAgainIfSomethingChangesMeanwhile)
 {
   const auto square = MakeLitSquare({ 0, 1, 2, 3 }, [](double time) { return time; });
   const auto exposure = MakeExposure(square);
-  struct Changer : vtkCommand
-  {
-    static Changer* New() { return new Changer; }
-    void Execute(vtkObject*, unsigned long, void* progress) override
-    {
-      if (*static_cast<double*>(progress) == 0.5 && !this->IsDone)
-      {
-        this->IsDone = true;
-        this->Square->Change = [](vtkPolyData* part, double) {
-          SetCellValues(part, "Irradiance", { 10 });
-        };
-        this->Square->Modified();
-      }
-    }
-    PartOverTime* Square = nullptr;
-    bool IsDone = false;
+  const auto observer = EventObserver::Watch(exposure);
+  observer->EventsToWait = 2;
+  observer->Change = [&] {
+    square->Change = [](vtkPolyData* part, double) { SetCellValues(part, "Irradiance", { 10 }); };
+    square->Modified();
   };
-  vtkNew<Changer> changer;
-  changer->Square = square;
-  exposure->AddObserver(vtkCommand::ProgressEvent, changer);
   exposure->Update();
-  EXPECT_TRUE(changer->IsDone);
+  EXPECT_EQ(observer->Progress[2], 0.5);
   EXPECT_EQ(SquareExposure(exposure), 30);
 }

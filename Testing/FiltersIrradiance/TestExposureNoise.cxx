@@ -16,13 +16,9 @@ namespace
 vtkSmartPointer<PartOverTime> MakePhotonSquares(
   int rows, const std::function<double(int, double)>& photons)
 {
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetPoint1(rows, 0, 0);
-  plane->SetPoint2(0, rows, 0);
-  plane->SetResolution(rows, rows);
-  plane->Update();
-  return PartOverTime::Make(
-    Copy(plane->GetOutput()), { 0, 1 }, [photons](vtkPolyData* part, double time) {
+  const double side = rows;
+  return PartOverTime::Make(MakeRectangle({ 0, 0, 0 }, { side, 0, 0 }, { 0, side, 0 }, rows),
+    { 0, 1 }, [photons](vtkPolyData* part, double time) {
       SetCellValues(part, "Irradiance", { 0 });
       SetCellValues(part, "IrradianceOfPhoton", { 0.5 });
       vtkDataArray* irradiance = part->GetCellData()->GetArray("Irradiance");
@@ -73,8 +69,6 @@ TEST(ExposureNoise, SeesThroughTheNoise)
   });
   const auto exposure = MakeErrorControlled(squares, 10, 0.05);
   exposure->Update();
-  std::cout << FieldOf(exposure, "NumberOfTimeSteps") << " steps, noise "
-            << FieldOf(exposure, "TimeIntegrationNoise") << "\n";
   EXPECT_LE(FieldOf(exposure, "NumberOfTimeSteps"), 200);
   // In the middle, far from the ends, every row has the same: sqrt(2 pi) width * 20 photons.
   const double exact = 0.5 * 20 * width * std::sqrt(2 * 3.14159265358979);
@@ -100,8 +94,6 @@ TEST(ExposureNoise, DoesNotFollowSinglePhotons)
   const auto exposure = MakeErrorControlled(scene.Irradiance, 20, 0.01);
   const auto observer = ErrorObserver::Watch(exposure);
   exposure->Update();
-  std::cout << FieldOf(exposure, "NumberOfTimeSteps") << " steps, noise "
-            << FieldOf(exposure, "TimeIntegrationNoise") << "\n";
   EXPECT_LE(FieldOf(exposure, "NumberOfTimeSteps"), 100);
   EXPECT_GT(FieldOf(exposure, "TimeIntegrationNoise"), 0.01);
   EXPECT_TRUE(observer->Warnings.empty());

@@ -2,16 +2,14 @@
 // Each filter behind a part that moves: it has the part's times, and at any time, in any order, the
 // values of a new pipeline.
 
-#include "OutputBits.h"
 #include "PartOverTime.h"
-#include "TestScenes.h"
+#include "ShownWalks.h"
 
 #include "vtkInformation.h"
 #include "vtkIrradianceProbeFilter.h"
 #include "vtkOutgoingRadianceFilter.h"
 #include "vtkPointIrradianceFilter.h"
 #include "vtkRadiantExposureFilter.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <gtest/gtest.h>
 
@@ -25,11 +23,6 @@ namespace
 constexpr vtkIdType Walks = 2000;
 const std::vector<double> WalkerTimes{ 0, 0.5, 1.5, 2 };
 
-Scene Room()
-{
-  return { { MakeRoom(3, 2), MakeLamp({ 1.5, 1.5, 2.9 }, 0.5, { 100 }) }, {} };
-}
-
 Vector PlaceAt(double time)
 {
   return { 0.5 + time, 1.5, 1.5 };
@@ -41,56 +34,34 @@ vtkSmartPointer<PartOverTime> MakeWalker()
     [](vtkPolyData* part, double time) { MoveTo(part, PlaceAt(time)); });
 }
 
-vtkSmartPointer<vtkIrradianceFilter> MakeMovingScene(vtkAlgorithm* walker)
+vtkSmartPointer<vtkIrradianceFilter> MakeMovingScene(const vtkSmartPointer<PartOverTime>& walker)
 {
-  auto filter = MakeFilter(Room(), Walks);
+  auto filter = MakeFilter(MakeEmptyRoom(), Walks);
   filter->AddInputConnection(1, walker->GetOutputPort());
   return filter;
 }
 
 vtkSmartPointer<vtkIrradianceFilter> MakeSceneAt(double time)
 {
-  Scene scene = Room();
+  Scene scene = MakeEmptyRoom();
   scene.Moving.push_back(MakeMoving(MakeBall(0.4, 8), PlaceAt(time)));
   return MakeFilter(scene, Walks);
 }
 
-/// Two sensors on the floor, facing up, moved by `shift` along y.
-Mesh MakeSensors(double shift)
+/// Sensors on the floor, facing up, moved by `shift` along y.
+Mesh MakeFloorSensors(double shift)
 {
   Mesh sensors = MakeRectangle({ 0.6, 1.2 + shift, 0 }, { 1.8, 0, 0 }, { 0, 0.5, 0 }, 1);
-  vtkNew<vtkDoubleArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  for (vtkIdType i = 0; i < sensors->GetNumberOfPoints(); ++i)
-  {
-    normals->InsertNextTuple3(0, 0, 1);
-  }
-  sensors->GetPointData()->SetNormals(normals);
+  SetNormals(sensors, { { 0, 0, 1 } });
   return sensors;
 }
 
-std::vector<double> StepsOf(vtkAlgorithm* filter, int port = 0)
-{
-  filter->UpdateInformation();
-  vtkInformation* info = filter->GetOutputInformation(port);
-  auto* key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
-  return info->Has(key) ? std::vector<double>(info->Get(key), info->Get(key) + info->Length(key))
-                        : std::vector<double>();
-}
-
-std::vector<double> RangeOf(vtkAlgorithm* filter, int port = 0)
-{
-  filter->UpdateInformation();
-  const double* range =
-    filter->GetOutputInformation(port)->Get(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
-  return range ? std::vector<double>{ range[0], range[1] } : std::vector<double>();
-}
-
-/// Visits times forwards, backwards and at random. `expected`: the bits of a new pipeline at a
-/// time.
-void ExpectFollowing(vtkAlgorithm* filter, const std::function<OutputBits()>& bits,
-  const std::function<OutputBits(double)>& expected)
+/// Visits times forwards, backwards and at random. `makeAt`: a new pipeline at a time.
+void ExpectFollowing(
+  vtkAlgorithm* filter, const std::function<vtkSmartPointer<vtkAlgorithm>(double)>& makeAt,
+  const std::function<OutputBits(vtkAlgorithm*)>& bits = [](vtkAlgorithm* of) {
+    return OutputBits(of->GetOutputDataObject(0));
+  })
 {
   std::vector<double> times{ 0, 0.5, 1, 2, 1.5, 0.25, 0.25, 2 };
   RandomNumbers random(5);
@@ -102,137 +73,105 @@ void ExpectFollowing(vtkAlgorithm* filter, const std::function<OutputBits()>& bi
   for (const double time : times)
   {
     filter->UpdateTimeStep(time);
-    ASSERT_TRUE(IsSame(bits(), expected(time))) << "time " << time;
+    const auto fresh = makeAt(time);
+    fresh->Update();
+    ASSERT_TRUE(IsSame(bits(filter), bits(fresh))) << "time " << time;
     vtkInformation* info = filter->GetOutputDataObject(0)->GetInformation();
     EXPECT_TRUE(info->Has(vtkDataObject::DATA_TIME_STEP()));
     EXPECT_EQ(info->Get(vtkDataObject::DATA_TIME_STEP()), time);
-    seen.emplace(time, bits());
+    seen.emplace(time, bits(filter));
   }
   EXPECT_FALSE(IsSame(seen.at(0), seen.at(1))) << "nothing moves";
 }
 
-OutputBits BitsOf(vtkIrradianceProbeFilter* probe)
+vtkSmartPointer<vtkIrradianceProbeFilter> MakeProbe(vtkIrradianceFilter* source)
 {
-  return OutputBits(vtkPolyData::SafeDownCast(probe->GetOutput()));
+  auto probe = vtkSmartPointer<vtkIrradianceProbeFilter>::New();
+  probe->SetSourceConnection(source->GetOutputPort());
+  return probe;
 }
 
 }
 
 TEST(FiltersOverTime, ProbeFollowsItsSource)
 {
-  const auto walker = MakeWalker();
-  const auto filter = MakeMovingScene(walker);
-  const Mesh sensors = MakeSensors(0);
+  const Mesh sensors = MakeFloorSensors(0);
   sensors->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), 7); // as if cut out of other data
-  vtkNew<vtkIrradianceProbeFilter> probe;
-  probe->SetInputData(sensors);
-  probe->SetSourceConnection(filter->GetOutputPort());
+  const auto make = [&](vtkIrradianceFilter* source) {
+    auto probe = MakeProbe(source);
+    probe->SetInputData(sensors);
+    return probe;
+  };
+  const auto probe = make(MakeMovingScene(MakeWalker()));
   EXPECT_EQ(StepsOf(probe), WalkerTimes);
   EXPECT_EQ(RangeOf(probe), (std::vector<double>{ 0, 2 }));
-  ExpectFollowing(
-    probe, [&] { return BitsOf(probe); },
-    [&](double time) {
-      vtkNew<vtkIrradianceProbeFilter> fresh;
-      fresh->SetInputData(sensors);
-      fresh->SetSourceConnection(MakeSceneAt(time)->GetOutputPort());
-      fresh->Update();
-      return BitsOf(fresh);
-    });
+  ExpectFollowing(probe, [&](double time) { return make(MakeSceneAt(time)); });
 }
 
 TEST(FiltersOverTime, ProbeFollowsItsSensorsToo)
 {
-  const auto walker = MakeWalker();
-  const auto filter = MakeMovingScene(walker);
-  const auto sensors = PartOverTime::Make(MakeSensors(0), { -1, 0.5, 1 },
-    [](vtkPolyData* part, double time) { part->ShallowCopy(MakeSensors(0.5 * time)); });
-  vtkNew<vtkIrradianceProbeFilter> probe;
+  const auto sensors = PartOverTime::Make(MakeFloorSensors(0), { -1, 0.5, 1 },
+    [](vtkPolyData* part, double time) { part->ShallowCopy(MakeFloorSensors(0.5 * time)); });
+  const auto probe = MakeProbe(MakeMovingScene(MakeWalker()));
   probe->SetInputConnection(sensors->GetOutputPort());
-  probe->SetSourceConnection(filter->GetOutputPort());
   EXPECT_EQ(StepsOf(probe), (std::vector<double>{ -1, 0, 0.5, 1, 1.5, 2 }));
   EXPECT_EQ(RangeOf(probe), (std::vector<double>{ -1, 2 }));
-  ExpectFollowing(
-    probe, [&] { return BitsOf(probe); },
-    [&](double time) {
-      vtkNew<vtkIrradianceProbeFilter> fresh;
-      fresh->SetInputData(MakeSensors(0.5 * time));
-      fresh->SetSourceConnection(MakeSceneAt(time)->GetOutputPort());
-      fresh->Update();
-      return BitsOf(fresh);
-    });
+  ExpectFollowing(probe, [&](double time) {
+    auto fresh = MakeProbe(MakeSceneAt(time));
+    fresh->SetInputData(MakeFloorSensors(0.5 * time));
+    return fresh;
+  });
 }
 
 TEST(FiltersOverTime, ProbeOfWhatStandsStillHasNoTimes)
 {
-  vtkNew<vtkIrradianceProbeFilter> probe;
-  probe->SetInputData(MakeSensors(0));
-  const auto walker = MakeWalker();
-  const auto moving = MakeMovingScene(walker), still = MakeSceneAt(0);
-  probe->SetSourceConnection(moving->GetOutputPort());
+  const auto probe = MakeProbe(MakeMovingScene(MakeWalker()));
+  probe->SetInputData(MakeFloorSensors(0));
   EXPECT_EQ(StepsOf(probe), WalkerTimes);
-  probe->SetSourceConnection(still->GetOutputPort());
+  probe->SetSourceConnection(MakeSceneAt(0)->GetOutputPort());
   EXPECT_TRUE(StepsOf(probe).empty());
   EXPECT_TRUE(RangeOf(probe).empty());
 }
 
 TEST(FiltersOverTime, RadianceFollowsItsInput)
 {
-  const auto walker = MakeWalker();
-  const auto filter = MakeMovingScene(walker);
-  vtkNew<vtkOutgoingRadianceFilter> radiance;
-  radiance->SetInputConnection(filter->GetOutputPort());
+  const auto make = [](vtkIrradianceFilter* source) {
+    auto radiance = vtkSmartPointer<vtkOutgoingRadianceFilter>::New();
+    radiance->SetInputConnection(source->GetOutputPort());
+    return radiance;
+  };
+  const auto radiance = make(MakeMovingScene(MakeWalker()));
   EXPECT_EQ(StepsOf(radiance), WalkerTimes);
   EXPECT_EQ(RangeOf(radiance), (std::vector<double>{ 0, 2 }));
-  ExpectFollowing(
-    radiance, [&] { return OutputBits(radiance->GetOutput()); },
-    [](double time) {
-      vtkNew<vtkOutgoingRadianceFilter> fresh;
-      fresh->SetInputConnection(MakeSceneAt(time)->GetOutputPort());
-      fresh->Update();
-      return OutputBits(fresh->GetOutput());
-    });
+  ExpectFollowing(radiance, [&](double time) { return make(MakeSceneAt(time)); });
 }
 
 TEST(FiltersOverTime, PointIrradianceFollowsItsInput)
 {
-  const auto walker = MakeWalker();
-  const auto filter = MakeMovingScene(walker);
-  vtkNew<vtkPointIrradianceFilter> points;
-  points->SetInputConnection(filter->GetOutputPort());
-  points->SetNumberOfRays(2);
+  const auto make = [](vtkIrradianceFilter* source) {
+    auto points = vtkSmartPointer<vtkPointIrradianceFilter>::New();
+    points->SetInputConnection(source->GetOutputPort());
+    points->SetNumberOfRays(2);
+    return points;
+  };
+  const auto points = make(MakeMovingScene(MakeWalker()));
   EXPECT_EQ(StepsOf(points), WalkerTimes);
-  ExpectFollowing(
-    points, [&] { return OutputBits(points->GetOutput()); },
-    [](double time) {
-      vtkNew<vtkPointIrradianceFilter> fresh;
-      fresh->SetInputConnection(MakeSceneAt(time)->GetOutputPort());
-      fresh->SetNumberOfRays(2);
-      fresh->Update();
-      return OutputBits(fresh->GetOutput());
-    });
+  ExpectFollowing(points, [&](double time) { return make(MakeSceneAt(time)); });
 }
 
 TEST(FiltersOverTime, WalksFollowTheInputs)
 {
-  const auto walker = MakeWalker();
-  const auto filter = MakeMovingScene(walker);
-  filter->SetNumberOfOutputWalks(50);
+  const auto withWalks = [](const vtkSmartPointer<vtkIrradianceFilter>& filter) {
+    filter->SetNumberOfOutputWalks(50);
+    return filter;
+  };
+  const auto filter = withWalks(MakeMovingScene(MakeWalker()));
   EXPECT_EQ(StepsOf(filter, 1), WalkerTimes);
   EXPECT_EQ(RangeOf(filter, 1), (std::vector<double>{ 0, 2 }));
-  const auto bitsOf = [](vtkIrradianceFilter* of) {
-    vtkNew<vtkPolyData> walks; // `Repaired` tells how the walks came about
-    walks->ShallowCopy(of->GetWalksOutput());
-    walks->GetCellData()->RemoveArray("Repaired");
-    walks->GetPointData()->RemoveArray("Repaired");
-    return OutputBits(walks);
-  };
   ExpectFollowing(
-    filter, [&] { return bitsOf(filter); },
-    [&](double time) {
-      const auto fresh = MakeSceneAt(time);
-      fresh->SetNumberOfOutputWalks(50);
-      fresh->Update();
-      return bitsOf(fresh);
+    filter, [&](double time) { return withWalks(MakeSceneAt(time)); },
+    [](vtkAlgorithm* of) {
+      return ShownWalks::LastingBits(vtkPolyData::SafeDownCast(of->GetOutputDataObject(1)));
     });
 }
 
@@ -249,8 +188,8 @@ TEST(FiltersOverTime, ExposureTakesTheTimesThroughOtherFilters)
   exposure->Update();
   EXPECT_TRUE(StepsOf(exposure).empty());
   EXPECT_TRUE(RangeOf(exposure).empty());
-  vtkDataArray* times =
-    exposure->GetOutputDataObject(0)->GetFieldData()->GetArray("IntegrationTimes");
-  ASSERT_EQ(times->GetNumberOfTuples(), 4);
+  EXPECT_EQ(
+    ValuesOf(exposure->GetOutputDataObject(0)->GetFieldData()->GetArray("IntegrationTimes")),
+    WalkerTimes);
   EXPECT_EQ(walker->Visits, WalkerTimes);
 }

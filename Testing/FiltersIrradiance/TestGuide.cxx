@@ -26,13 +26,7 @@ protected:
   {
     irradiance->SetMaximumNumberOfWalks(20000);
     sensors->ShallowCopy(MakeRectangle({ 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 2));
-    vtkNew<vtkDoubleArray> up;
-    up->SetNumberOfComponents(3);
-    up->SetNumberOfTuples(sensors->GetNumberOfPoints());
-    up->FillComponent(0, 0);
-    up->FillComponent(1, 0);
-    up->FillComponent(2, 1);
-    sensors->GetPointData()->SetNormals(up);
+    SetNormals(sensors, { { 0, 0, 1 } });
     volume->SetDimensions(3, 3, 3);
     vtkOutputWindow::GetInstance()->AddObserver(vtkCommand::ErrorEvent, errors);
   }

@@ -3,35 +3,10 @@
 // aborted.
 
 #include "../WriteFile.h"
+#include "EventObserver.h"
 #include "KeyFramedPoses.h"
 
-#include "vtkCommand.h"
-
-#include <fstream>
-
 using namespace KeyFramedPoses;
-
-namespace
-{
-
-/// Notes the progress, and aborts the pose from AbortAt on, if that is not above 1.
-class ProgressOfKeys : public vtkCommand
-{
-public:
-  static ProgressOfKeys* New() { return new ProgressOfKeys; }
-  void Execute(vtkObject* pose, unsigned long, void* progress) override
-  {
-    this->Values.push_back(*static_cast<double*>(progress));
-    if (this->Values.back() >= this->AbortAt)
-    {
-      static_cast<vtkAlgorithm*>(pose)->SetAbortExecute(1);
-    }
-  }
-  std::vector<double> Values;
-  double AbortAt = 2;
-};
-
-}
 
 // While keys are read, as that may take long; then an update leaves nothing half done behind.
 TEST(KeyFramedPose, TellsItsProgressAndCanBeAborted)
@@ -48,21 +23,20 @@ TEST(KeyFramedPose, TellsItsProgressAndCanBeAborted)
   read->SetFileName(path.c_str());
   for (const auto& pose : { added, read })
   {
-    vtkNew<ProgressOfKeys> progress;
-    pose->AddObserver(vtkCommand::ProgressEvent, progress);
-    progress->AbortAt = 0.3;
+    const auto observer = EventObserver::Watch(pose);
+    observer->AbortFrom = 0.3;
     pose->UpdateTimeStep(9.5);
-    EXPECT_LT(progress->Values[0], 0.5);
+    EXPECT_LT(observer->Progress[0], 0.5);
     EXPECT_EQ(pose->GetOutput()->GetNumberOfCells(), 0);
     EXPECT_TRUE(StepsOf(pose).empty());
 
-    progress->AbortAt = 2;
-    progress->Values.clear();
+    observer->AbortFrom = 2;
+    observer->Progress.clear();
     pose->SetAbortExecute(0);
     EXPECT_EQ(StepsOf(pose).size(), static_cast<std::size_t>(keys));
-    EXPECT_GE(progress->Values.size(), 4u);
-    EXPECT_TRUE(std::is_sorted(progress->Values.begin(), progress->Values.end()));
-    EXPECT_GT(progress->Values.back(), 0.75);
+    EXPECT_GE(observer->Progress.size(), 4u);
+    EXPECT_TRUE(std::is_sorted(observer->Progress.begin(), observer->Progress.end()));
+    EXPECT_GT(observer->Progress.back(), 0.75);
     EXPECT_EQ(MatrixAt(pose, 9.5)[3], 9.5);
     EXPECT_EQ(pose->GetOutput()->GetNumberOfCells(), 6);
   }
@@ -134,17 +108,17 @@ TEST(KeyFramedPose, RefusesBadFiles)
     }
     pose->SetFileName(path.c_str());
     pose->Modified();
-    ExpectPart(ErrorOf(pose, 0), expected);
+    ExpectWords(ErrorOf(pose, 0), { expected });
   }
   pose->SetFileName("/there/is/no/such/file.csv");
-  ExpectPart(ErrorOf(pose, 0), "/there/is/no/such/file.csv cannot be read");
+  ExpectWords(ErrorOf(pose, 0), { "/there/is/no/such/file.csv cannot be read" });
   pose->SetFileName(testing::TempDir().c_str());
-  ExpectPart(ErrorOf(pose, 0), "cannot be read");
+  ExpectWords(ErrorOf(pose, 0), { "cannot be read" });
   const std::string good = WriteFile("KeyFramedPose.csv", "time,x,y,z\n0,0,0,0\n1,2,0,0\n");
   pose->SetFileName(good.c_str());
   EXPECT_EQ(MatrixAt(pose, 0.5)[3], 1); // it stayed usable
   pose->AddPose(0, 0, 0, 0, 0, 0, 0);
-  ExpectPart(ErrorOf(pose, 0), "1 poses were added; only one of the two is possible");
+  ExpectWords(ErrorOf(pose, 0), { "1 poses were added; only one of the two is possible" });
   pose->RemoveAllPoses();
   EXPECT_EQ(MatrixAt(pose, 0.5)[3], 1);
 }
@@ -152,11 +126,11 @@ TEST(KeyFramedPose, RefusesBadFiles)
 TEST(KeyFramedPose, RefusesBadPoses)
 {
   auto pose = MakePose(MakeBox(1, 1, 1));
-  ExpectPart(ErrorOf(pose, 0), "there is no pose; two at least");
+  ExpectWords(ErrorOf(pose, 0), { "there is no pose; two at least" });
   pose->AddPose(0, 0, 0, 0, 0, 0, 0);
-  ExpectPart(ErrorOf(pose, 0), "there is one pose alone");
+  ExpectWords(ErrorOf(pose, 0), { "there is one pose alone" });
   pose->AddPose(0, 1, 0, 0, 0, 0, 0);
-  ExpectPart(ErrorOf(pose, 0), "pose 1: the time 0 is not after that of pose 0");
+  ExpectWords(ErrorOf(pose, 0), { "pose 1: the time 0 is not after that of pose 0" });
   const auto errorWith = [](double time, const std::vector<double>& matrix) {
     auto bad = MakePose(MakeBox(1, 1, 1));
     bad->AddPose(0, 0, 0, 0, 0, 0, 0);
@@ -170,13 +144,13 @@ TEST(KeyFramedPose, RefusesBadPoses)
     matrix[i] = value;
     return matrix;
   };
-  ExpectPart(errorWith(nan, good), "pose 1: the time nan is not finite");
-  ExpectPart(errorWith(1, with(3, nan)), "pose 1: the transform");
-  ExpectPart(errorWith(1, with(3, nan)), "is not finite");
-  ExpectPart(errorWith(1, with(0, 0)), "is singular");
-  ExpectPart(errorWith(1, with(12, 1)), "is not affine");
-  ExpectPart(errorWith(1, with(1, 0.5)), "pose 1: the pose shears");
-  ExpectPart(errorWith(1, with(0, -1)), "pose 1: the pose mirrors, unlike the one before");
+  ExpectWords(errorWith(nan, good), { "pose 1: the time nan is not finite" });
+  ExpectWords(errorWith(1, with(3, nan)), { "pose 1: the transform" });
+  ExpectWords(errorWith(1, with(3, nan)), { "is not finite" });
+  ExpectWords(errorWith(1, with(0, 0)), { "is singular" });
+  ExpectWords(errorWith(1, with(12, 1)), { "is not affine" });
+  ExpectWords(errorWith(1, with(1, 0.5)), { "pose 1: the pose shears" });
+  ExpectWords(errorWith(1, with(0, -1)), { "pose 1: the pose mirrors, unlike the one before" });
   const auto observer = ErrorObserver::Watch(pose);
   pose->AddPoseMatrix(1, static_cast<vtkMatrix4x4*>(nullptr));
   EXPECT_EQ(observer->Errors.size(), 1u);

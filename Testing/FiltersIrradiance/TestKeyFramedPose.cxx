@@ -4,8 +4,6 @@
 #include "KeyFramedPoses.h"
 #include "OutputBits.h"
 
-#include "vtkRadiantExposureFilter.h"
-
 #include <functional>
 
 using namespace KeyFramedPoses;
@@ -123,9 +121,7 @@ TEST(KeyFramedPose, HasTheTimesOfItsKeys)
   pose->AddPose(1.5, 0, 0, 0, 0, 0, 0);
   pose->SetNumberOfTimeSteps(0);
   EXPECT_EQ(StepsOf(pose), (std::vector<double>{ 1, 1.5, 3 }));
-  vtkInformation* info = pose->GetOutputInformation(0);
-  EXPECT_EQ(info->Get(vtkStreamingDemandDrivenPipeline::TIME_RANGE())[0], 1);
-  EXPECT_EQ(info->Get(vtkStreamingDemandDrivenPipeline::TIME_RANGE())[1], 3);
+  EXPECT_EQ(RangeOf(pose), (std::vector<double>{ 1, 3 }));
 }
 
 // The keys, and between them so many steps that none is too long. Equal ones are no more than asked
@@ -157,33 +153,6 @@ TEST(KeyFramedPose, HasStepsBetweenItsKeys)
   }
 }
 
-// A black plate passes under a small lamp at constant speed. Of a lamp of power P at height h the
-// plate receives E(x) = P h2 / (pi (h2 + x2)2), and over the ride from -X to X in the time T its
-// dose is P T / (2 pi X h) (U / (1 + U2) + atan U), U = X / h. The sizes of lamp and plate, 0.2 m,
-// change that by 2 %; some 5,000 photons make a standard error of 1.4 %. 10 % is over five of them.
-TEST(KeyFramedPose, GivesTheDoseOfARideByDefault)
-{
-  constexpr double kPi = 3.14159265358979323846, power = 4, height = 1, reach = 3, duration = 2;
-  const Mesh plate = MakeRectangle({ -0.1, -0.1, 0 }, { 0.2, 0, 0 }, { 0, 0.2, 0 }, 1);
-  SetCellValues(plate, "DiffuseReflectance", { 0 });
-  auto ride = MakePose(plate);
-  ride->AddPose(0, -reach, 0, 0, 0, 0, 0);
-  ride->AddPose(duration, reach, 0, 0, 0, 0, 0);
-  auto filter = MakeFilter({ { MakeLamp({ 0, 0, height }, 0.2, { 100 }) }, {} }, 30000);
-  filter->AddInputConnection(1, ride->GetOutputPort());
-  vtkNew<vtkRadiantExposureFilter> exposure;
-  exposure->SetInputConnection(filter->GetOutputPort());
-  exposure->SetIntegrationModeToTimeSteps();
-  exposure->Update();
-  const double ratio = reach / height;
-  const double dose = power * duration / (2 * kPi * reach * height) *
-    (ratio / (1 + ratio * ratio) + std::atan(ratio));
-  auto* output = vtkMultiBlockDataSet::SafeDownCast(exposure->GetOutputDataObject(0));
-  EXPECT_NEAR(
-    OutputOf(output, 1, 0)->GetCellData()->GetArray("RadiantExposure")->GetComponent(0, 0) / dose,
-    1, 0.1);
-}
-
 TEST(KeyFramedPose, AppliesThatOfTheInputFirst)
 {
   const Mesh box = MakeBox(1, 1, 1);
@@ -204,12 +173,12 @@ TEST(KeyFramedPose, HoldsOrLeavesOutsideOfItsKeys)
   auto pose = MakePose(box);
   pose->AddPose(1, 1, 0, 0, 0, 0, 0);
   pose->AddPose(2, 2, 0, 0, 0, 0, 0);
-  ExpectPart(ErrorOf(pose, 2.25), "the keys are from 1 to 2, and the time 2.25");
-  ExpectPart(ErrorOf(pose, 0), "the time 0 is asked for");
+  ExpectWords(ErrorOf(pose, 2.25), { "the keys are from 1 to 2, and the time 2.25" });
+  ExpectWords(ErrorOf(pose, 0), { "the time 0 is asked for" });
   pose->SetOutsideOfKeysToHold();
   EXPECT_EQ(MatrixAt(pose, 0)[3], 1);
   EXPECT_EQ(MatrixAt(pose, 9)[3], 2);
-  ExpectPart(ErrorOf(pose, std::nan("")), "the time nan is asked for");
+  ExpectWords(ErrorOf(pose, std::nan("")), { "the time nan is asked for" });
   pose->SetOutsideOfKeysToLeave();
   EXPECT_TRUE(MatrixAt(pose, 0).empty());
   EXPECT_EQ(pose->GetOutput()->GetNumberOfCells(), 0);
@@ -222,32 +191,10 @@ TEST(KeyFramedPose, HoldsOrLeavesOutsideOfItsKeys)
   EXPECT_EQ(pose->GetOutput()->GetNumberOfCells(), 6);
 }
 
-// Poses that follow from keys give what the same transforms give; only poses change over time.
-TEST(KeyFramedPose, MovesPartsOfTheIrradianceFilter)
-{
-  Scene scene{ { MakeRoom(3, 2), MakeLamp({ 1.5, 1.5, 2.9 }, 0.5, { 100 }) }, {} };
-  const Mesh ball = MakeBall(0.3, 6);
-  auto pose = MakePose(ball);
-  pose->AddPose(0, 0.5, 1.5, 1, 0, 0, 0);
-  pose->AddPose(4, 2.5, 1.5, 1, 0, 0, 0);
-  auto filter = MakeFilter(scene, 1000);
-  filter->AddInputConnection(1, pose->GetOutputPort());
-  for (const double time : { 1., 4., 2., 1. })
-  {
-    filter->UpdateTimeStep(time);
-    Scene then = scene;
-    then.Moving.push_back(MakeMoving(ball, { 0.5 + 0.5 * time, 1.5, 1 }));
-    const auto fresh = MakeFilter(then, 1000);
-    fresh->Update();
-    EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(fresh))) << "time " << time;
-  }
-  EXPECT_EQ(Field(filter, "ShootSeconds"), 0);
-}
-
-// The geometry is read once, and again whenever the input has changed, however that was done.
+// Poses that follow from keys give what the same transforms give. The geometry is read once, and
+// again whenever the input has changed, however that was done; only poses change over time.
 TEST(KeyFramedPose, PassesChangesOfItsInputOn)
 {
-  Scene scene{ { MakeRoom(3, 2), MakeLamp({ 1.5, 1.5, 2.9 }, 0.5, { 100 }) }, {} };
   auto pose = MakePose(MakeBall(0.3, 6));
   pose->AddPose(0, 0.5, 1.5, 1, 0, 0, 0);
   pose->AddPose(4, 2.5, 1.5, 1, 0, 0, 0);
@@ -255,7 +202,7 @@ TEST(KeyFramedPose, PassesChangesOfItsInputOn)
   outer->SetInputConnection(pose->GetOutputPort());
   outer->AddPose(0, 0, 0, 0.25, 0, 0, 0);
   outer->AddPose(4, 0, 0, 0.25, 0, 0, 0);
-  auto filter = MakeFilter(scene, 1000);
+  auto filter = MakeFilter(MakeEmptyRoom(), 1000);
   filter->AddInputConnection(1, outer->GetOutputPort());
   const auto polyData = [&] { return vtkPolyData::SafeDownCast(pose->GetInput()); };
   const std::function<void()> changes[] = { [] {},
@@ -274,11 +221,12 @@ TEST(KeyFramedPose, PassesChangesOfItsInputOn)
     for (const double time : { 1., 3. })
     {
       filter->UpdateTimeStep(time);
-      Scene then = scene;
+      Scene then = MakeEmptyRoom();
       then.Moving.push_back(MakeMoving(Copy(polyData()), { 0.5 + 0.5 * time, 1.5, 1.25 }));
       const auto fresh = MakeFilter(then, 1000);
       fresh->Update();
       EXPECT_TRUE(IsSame(OutputBits(filter), OutputBits(fresh))) << change << ", time " << time;
+      EXPECT_TRUE(time == 1 || Field(filter, "ShootSeconds") == 0);
     }
     ++change;
   }

@@ -78,11 +78,8 @@ TEST(Method, DefaultAndRange)
   EXPECT_EQ(filter->GetMaximumEffort(), 0);
   std::ostringstream text;
   filter->Print(text);
-  for (const char* line :
-    { "Method: 3\n", "NumberOfRays: 32\n", "NumberOfSpreadPhotons: 250\n", "MaximumEffort: 0\n" })
-  {
-    EXPECT_NE(text.str().find(line), std::string::npos) << line;
-  }
+  ExpectWords(text.str(),
+    { "Method: 3\n", "NumberOfRays: 32\n", "NumberOfSpreadPhotons: 250\n", "MaximumEffort: 0\n" });
 }
 
 // Bit for bit, and with one warning for each old name.
@@ -103,7 +100,7 @@ TEST(Method, IsWhatTheOldNamesSay)
     EXPECT_EQ(reports->Warnings.size(), names) << "once";
     for (const std::string& warning : reports->Warnings)
     {
-      EXPECT_NE(warning.find("set Method"), std::string::npos) << warning;
+      ExpectWords(warning, { "set Method" });
     }
     EXPECT_EQ(old->GetMethod(), method);
     now->Update();

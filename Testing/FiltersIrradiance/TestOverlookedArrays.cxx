@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cell arrays that are nearly called as those that the filter reads.
 
-#include "Reports.h"
+#include "ErrorObserver.h"
 #include "TestScenes.h"
 
 using namespace TestScenes;

@@ -150,44 +150,30 @@ TEST(RadiantExposure, OfASceneWhosePartComesAndGoes)
   const auto isThere = [](double time) { return time > 0.1 && time < 1.4; };
   WalkThrough scene(1000);
   scene.Ball->Change = [isThere](vtkPolyData* ball, double time) {
-    if (isThere(time))
-    {
-      MoveTo(ball, WalkThrough::PositionAt(time));
-    }
-    else
-    {
-      ball->Initialize();
-    }
+    isThere(time) ? MoveTo(ball, WalkThrough::PositionAt(time)) : ball->Initialize();
   };
   const auto exposure = MakeExposure(scene.Irradiance);
   exposure->Update();
-  std::vector<double> room(24),
-    ball(static_cast<std::size_t>(scene.Ball->Model->GetNumberOfCells()));
-  const std::vector<double> weights{ 0.125, 0.25, 0.375, 0.5, 0.25 };
-  const auto bare = MakeFilter(WalkThrough::Room(), scene.Walks);
+  std::array<std::vector<double>, 2> sums;
+  const double weights[] = { 0.125, 0.25, 0.375, 0.5, 0.25 };
+  const auto bare = MakeFilter(MakeEmptyRoom(), scene.Walks);
   bare->Update();
   for (std::size_t i = 0; i < kTimes.size(); ++i)
   {
     const auto fresh = isThere(kTimes[i]) ? scene.FreshAt(kTimes[i]) : bare;
-    const auto add = [&](std::vector<double>& sum, unsigned int port) {
-      for (std::size_t cell = 0; cell < sum.size(); ++cell)
-      {
-        sum[cell] +=
-          weights[i] * IrradianceOf(fresh, port, 0)->GetComponent(static_cast<vtkIdType>(cell), 0);
-      }
-    };
-    add(room, 0);
-    if (isThere(kTimes[i]))
+    for (const unsigned int port : { 0u, 1u })
     {
-      add(ball, 1);
+      if (port == 0 || isThere(kTimes[i]))
+      {
+        AddTimes(weights[i], IrradianceOf(fresh, port, 0), sums[port]);
+      }
     }
   }
-  EXPECT_EQ(
-    std::memcmp(room.data(), ExposureOf(exposure, 0, 0)->GetVoidPointer(0), room.size() * 8), 0);
-  ASSERT_EQ(
-    OutputOf(BlocksOf(exposure), 1, 0)->GetNumberOfCells(), static_cast<vtkIdType>(ball.size()));
-  EXPECT_EQ(
-    std::memcmp(ball.data(), ExposureOf(exposure, 1, 0)->GetVoidPointer(0), ball.size() * 8), 0);
+  for (const unsigned int port : { 0u, 1u })
+  {
+    ASSERT_FALSE(sums[port].empty());
+    EXPECT_EQ(ValuesOf(ExposureOf(exposure, port, 0)), sums[port]);
+  }
 }
 
 TEST(RadiantExposure, RejectsBadLimits)
@@ -269,20 +255,12 @@ TEST(RadiantExposure, RejectsBadInput)
 // dose, and so they do.
 TEST(RadiantExposure, OfSensorsTakesVertexCells)
 {
-  vtkNew<vtkIrradianceFilter> light;
-  light->SetNumberOfWalks(2000);
-  light->AddInputDataObject(0, MakeRoom(2, 1));
-  light->AddInputDataObject(0, MakeLamp({ 1, 1, 1.9 }, 0.5, { 100 }));
+  const auto light =
+    MakeDefaultFilter({ { MakeRoom(2, 1), MakeLamp({ 1, 1, 1.9 }, 0.5, { 100 }) }, {} }, 2000);
   const Mesh plane = MakeRectangle({ 0.5, 0.5, 0.5 }, { 1, 0, 0 }, { 0, 1, 0 }, 2);
-  vtkNew<vtkDoubleArray> normals;
-  normals->SetNumberOfComponents(3);
-  for (vtkIdType i = 0; i < plane->GetNumberOfPoints(); ++i)
-  {
-    normals->InsertNextTuple3(0, 0, 1);
-  }
   const Mesh bare = Copy(plane), facing = Copy(plane);
   bare->SetPolys(nullptr);
-  facing->GetPointData()->SetNormals(normals);
+  SetNormals(facing, { { 0, 0, 1 } });
   vtkNew<vtkIrradianceProbeFilter> probe;
   probe->SetSourceConnection(light->GetOutputPort());
   const auto exposure = MakeExposure(probe);

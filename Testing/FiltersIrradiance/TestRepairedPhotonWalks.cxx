@@ -89,50 +89,6 @@ TEST(PhotonWalks, KeepTheMarksWhileNothingMoves)
   EXPECT_TRUE(HasShot(filter));
 }
 
-TEST(PhotonWalks, AreThoseOfANewFilter)
-{
-  using Setting = std::function<void(const Showing&)>;
-  const std::vector<Setting> settings{ [](const Showing&) {},
-    [](const Showing& filter) { filter->SeparateSidesOn(); },
-    [](const Showing& filter) {
-      ErrorObserver::Watch(filter.Light); // the target is not reached
-      filter->SetTargetRelativeError(0.2);
-      filter->SetMaximumEffort(4);
-      filter->SetNumberOfReplicates(5);
-    },
-    [](const Showing& filter) {
-      filter.Shown->SetCellPort(1);
-      filter.Shown->SetCellConnection(1);
-      filter.Shown->SetCell(5);
-    } };
-  for (std::size_t i = 0; i < settings.size(); ++i)
-  {
-    SCOPED_TRACE(i);
-    Scene scene = MakeOpenScene();
-    SetCellValues(scene.Fixed[1], "RadiantExitance", { 50, 100, 25 });
-    SetCellValues(scene.Moving[0].Model, "DiffuseReflectance", { 0.1 });
-    SetCellValues(scene.Moving[0].Model, "SpecularReflectance", { 0.8 });
-    SetCellValues(scene.Moving[0].Model, "PhongExponent", { 40 });
-    const auto filter = MakeShowing(scene);
-    settings[i](filter);
-    filter.Update();
-    for (int frame = 0; frame < 4; ++frame)
-    {
-      scene.Moving[0].Pose->Translate(0.1, 0.2, frame % 2 ? 1.2 : -1);
-      scene.Moving[1].Pose->RotateZ(20);
-      filter.Update();
-      const auto fresh = MakeShowing(scene);
-      settings[i](fresh);
-      vtkSMPTools::LocalScope(
-        vtkSMPTools::Config{ 1, "STDThread", false }, [&] { fresh.Update(); });
-      EXPECT_TRUE(
-        IsSame(LastingBits(filter.Shown->GetOutput()), LastingBits(fresh.Shown->GetOutput())));
-      EXPECT_GT(fresh.Shown->GetOutput()->GetNumberOfCells(), 0);
-      EXPECT_TRUE(RepairedOf(WalksOf(fresh.Shown->GetOutput())).empty());
-    }
-  }
-}
-
 TEST(PhotonWalks, OfAStaticSceneAreShotOnce)
 {
   Scene scene = MakeSmallScene();

@@ -2,12 +2,11 @@
 // Scenes that can be computed, but are hardly meant: lamps that shine away from everything,
 // millimetres.
 
-#include "Reports.h"
+#include "ErrorObserver.h"
 #include "TestScenes.h"
 
 #include "vtkReverseSense.h"
 #include "vtkSphereSource.h"
-#include "vtkTransformPolyDataFilter.h"
 
 using namespace TestScenes;
 
@@ -24,15 +23,17 @@ Mesh Reversed(const Mesh& mesh)
   return Copy(reverse->GetOutput());
 }
 
-Mesh Scaled(const Mesh& mesh, double factor)
+/// Whether a filter has nothing to say of a scene.
+void ExpectNothingOf(const Scene& scene)
 {
-  vtkNew<vtkTransform> scale;
-  scale->Scale(factor, factor, factor);
-  vtkNew<vtkTransformPolyDataFilter> filter;
-  filter->SetInputData(mesh);
-  filter->SetTransform(scale);
-  filter->Update();
-  return Copy(filter->GetOutput());
+  ExpectNothing(Update(MakeFilter(scene, NumberOfWalks)));
+}
+
+vtkSmartPointer<vtkIrradianceFilter> MakeGathered(const Scene& scene, vtkIdType walks)
+{
+  auto filter = MakeFilter(scene, walks);
+  filter->SetDirectLightToGathered();
+  return filter;
 }
 
 /// A lamp of 100 W, 1 m above a floor of 10 m, which shines downwards.
@@ -73,15 +74,11 @@ TEST(LampAdvice, OneOfSeveral)
   scene.Fixed[0] = MakeRoom(6, 4);
   scene.Fixed[1] = MakeLamp({ 3, 3, 5 }, 1, { 100 });
   scene.Fixed[2] = MakeLamp({ 3, 3, -1 }, 0.3, { 100 });
-  const auto weak = MakeFilter(scene, 200000);
-  weak->SetDirectLightToGathered();
-  ExpectOnlyWarning(weak, { "nothing else is lit", "input port 0, connection 2", "9 W" });
+  ExpectOnlyWarning(
+    MakeGathered(scene, 200000), { "nothing else is lit", "input port 0, connection 2", "9 W" });
   scene = MakeFloor();
-  scene.Fixed.push_back(nullptr);
-
-  scene.Fixed.pop_back();
   scene.Moving.push_back(MakeMoving(MakeLamp({ 0, 0, 0 }, 0.5, { 100 }), { 2, 2, 1 }));
-  ExpectNothing(Update(MakeFilter(scene, NumberOfWalks)));
+  ExpectNothingOf(scene);
   scene.Moving[1].Pose->RotateX(180);
   ExpectOnlyWarning(MakeFilter(scene, NumberOfWalks), { "input port 1, connection 1", "25 W" });
 }
@@ -90,24 +87,16 @@ TEST(LampAdvice, OneOfSeveral)
 TEST(LampAdvice, ClosedLampTurnedInsideOut)
 {
   Scene scene = MakeFloor();
-  scene.Fixed[1] = Scaled(MakeRoom(1, 1), 0.5); // its front is inside
-  scene.Fixed[1]->GetPoints()->Modified();
-  vtkNew<vtkTransform> up;
-  up->Translate(0, 0, 1);
-  vtkNew<vtkTransformPolyDataFilter> lift;
-  lift->SetInputData(scene.Fixed[1]);
-  lift->SetTransform(up);
-  lift->Update();
-  scene.Fixed[1] = Copy(lift->GetOutput());
+  scene.Fixed[1] = Placed(MakeRoom(1, 1), 0.5, { 0, 0, 1 }); // its front is inside
   SetCellValues(scene.Fixed[1], "RadiantExitance", { 100 });
-  const auto gathered = MakeFilter(scene, NumberOfWalks);
-  gathered->SetDirectLightToGathered(); // it is not known for sure that nothing escapes
-  for (const auto& filter : { MakeFilter(scene, NumberOfWalks), gathered })
+  // Where it is gathered, it is not known for sure that nothing escapes.
+  for (const auto& filter :
+    { MakeFilter(scene, NumberOfWalks), MakeGathered(scene, NumberOfWalks) })
   {
     ExpectOnlyWarning(filter, { "input port 0, connection 1", "150 W", "front" });
   }
   scene.Fixed[1] = Reversed(scene.Fixed[1]);
-  ExpectNothing(Update(MakeFilter(scene, NumberOfWalks)));
+  ExpectNothingOf(scene);
 }
 
 TEST(LampAdvice, NothingIsSaidWithoutCause)
@@ -117,36 +106,29 @@ TEST(LampAdvice, NothingIsSaidWithoutCause)
   Scene scene = MakeFloor();
   scene.Moving.clear();
   const Mesh floor = scene.Fixed[0], lamp = scene.Fixed[1];
-  ExpectNothing(Update(MakeFilter({ { lamp }, {} }, NumberOfWalks)));
-  ExpectNothing(
-    Update(MakeFilter({ { lamp, MakeLamp({ 3, 0, 1 }, 1, { 100 }) }, {} }, NumberOfWalks)));
-  ExpectNothing(
-    Update(MakeFilter({ { floor, MakeLamp({ 0, 0, 100 }, 50, { 100 }) }, {} }, NumberOfWalks)));
+  ExpectNothingOf({ { lamp }, {} });
+  ExpectNothingOf({ { lamp, MakeLamp({ 3, 0, 1 }, 1, { 100 }) }, {} });
+  ExpectNothingOf({ { floor, MakeLamp({ 0, 0, 100 }, 50, { 100 }) }, {} });
   const Mesh lying = Reversed(MakeLamp({ 8, 0, 0 }, 1, { 100 }));
-  ExpectNothing(Update(MakeFilter({ { floor, lamp, lying }, {} }, NumberOfWalks)));
+  ExpectNothingOf({ { floor, lamp, lying }, {} });
   // Light that goes up and comes down from a ceiling.
   const Mesh ceiling = MakeRectangle({ -5, -5, 2 }, { 10, 0, 0 }, { 0, 10, 0 }, 1);
-  ExpectNothing(Update(MakeFilter({ { floor, Reversed(lamp), ceiling }, {} }, NumberOfWalks)));
+  ExpectNothingOf({ { floor, Reversed(lamp), ceiling }, {} });
   // Bulbs shine to all sides.
   Mesh bulb = MakeBall(0.1, 6);
   SetCellValues(bulb, "RadiantExitance", { 100 });
   scene.Moving = { MakeMoving(bulb, { 0, 0, 0.5 }) };
-  ExpectNothing(Update(MakeFilter({ { floor }, scene.Moving }, NumberOfWalks)));
+  ExpectNothingOf({ { floor }, scene.Moving });
   // A part that rides past, and is not there yet; a light on a post.
-  ExpectNothing(Update(
-    MakeFilter({ { lamp }, { MakeMoving(MakeBall(0.01, 8), { 500, 0, 0 }) } }, NumberOfWalks)));
+  ExpectNothingOf({ { lamp }, { MakeMoving(MakeBall(0.01, 8), { 500, 0, 0 }) } });
   const Mesh post = MakeRectangle({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, 1);
-  ExpectNothing(
-    Update(MakeFilter({ { post, MakePointLight({ 0, 0, 1 }, { 10 }) }, {} }, NumberOfWalks)));
+  ExpectNothingOf({ { post, MakePointLight({ 0, 0, 1 }, { 10 }) }, {} });
   // A room whose walls shine, on which other walls lie.
   const Mesh furnace = MakeRoom(2, 1), walls = Copy(furnace);
   SetCellValues(furnace, "RadiantExitance", { 1 });
-  ExpectNothing(
-    Update(MakeFilter({ { furnace }, { MakeMoving(walls, { 0, 0, 0 }) } }, NumberOfWalks)));
+  ExpectNothingOf({ { furnace }, { MakeMoving(walls, { 0, 0, 0 }) } });
   // A light table, below which is something else.
-  ExpectNothing(Update(
-    MakeFilter({ { floor, Reversed(lamp) }, { MakeMoving(MakeBall(0.2, 8), { 0, 0, 1.5 }) } },
-      NumberOfWalks)));
+  ExpectNothingOf({ { floor, Reversed(lamp) }, { MakeMoving(MakeBall(0.2, 8), { 0, 0, 1.5 }) } });
 }
 
 namespace
@@ -184,9 +166,8 @@ TEST(LampAdvice, SunBehindTheSky)
     const Mesh sun = MakeLamp({ 0, 0, height }, 0.01 * height, { 1e5 });
     const Scene resting{ { ground, sky, sun }, {} };
     const Scene moving{ { ground, sun }, { MakeMoving(sky, { 0, 0, 0 }) } };
-    const auto gathered = MakeFilter(resting, NumberOfWalks);
-    gathered->SetDirectLightToGathered();
-    for (const auto& filter : { MakeFilter(resting, NumberOfWalks), gathered })
+    for (const auto& filter :
+      { MakeFilter(resting, NumberOfWalks), MakeGathered(resting, NumberOfWalks) })
     {
       ExpectOnlyWarning(filter,
         { "backs of lamps", "input port 0, connection 2 (", "about 100 %",
@@ -196,10 +177,8 @@ TEST(LampAdvice, SunBehindTheSky)
       { "input port 0, connection 1 (", "about 100 %",
         "behind lamps of input port 1, connection 0" });
   }
-  ExpectNothing(Update(
-    MakeFilter({ { ground, sky, MakeLamp({ 0, 0, 3.5 }, 0.1, { 1e5 }) }, {} }, NumberOfWalks)));
-  ExpectNothing(Update(
-    MakeFilter({ { ground, sky, MakePointLight({ 0, 0, 3.5 }, { 1e3 }) }, {} }, NumberOfWalks)));
+  ExpectNothingOf({ { ground, sky, MakeLamp({ 0, 0, 3.5 }, 0.1, { 1e5 }) }, {} });
+  ExpectNothingOf({ { ground, sky, MakePointLight({ 0, 0, 3.5 }, { 1e3 }) }, {} });
   ExpectOnlyWarning(
     MakeFilter({ { ground, sky, MakePointLight({ 0, 1, 10 }, { 1e3 }) }, {} }, NumberOfWalks),
     { "input port 0, connection 2 (1000 W", "about 100 %" });
@@ -228,21 +207,20 @@ TEST(LampAdvice, LampsPartlyBehindLamps)
     { "input port 1, connection 1 (60 W", "about 100 %" });
   // What is far in front of a lamp, or lights to both sides, or faces it, is meant.
   scene.Fixed[2] = MakeLamp({ 0, 0, 4 }, 1, { 100 });
-  ExpectNothing(Update(MakeFilter(scene, NumberOfWalks)));
+  ExpectNothingOf(scene);
   const Mesh down = MakeLamp({ 0, 0, 1 }, 1, { 100 }), up = Reversed(down);
   const Mesh ceiling = MakeRectangle({ -5, -5, 2 }, { 10, 0, 0 }, { 0, 10, 0 }, 1);
-  ExpectNothing(Update(MakeFilter({ { floor, ceiling, down, up }, {} }, NumberOfWalks)));
+  ExpectNothingOf({ { floor, ceiling, down, up }, {} });
   // A sheet that shines to both sides stops light with a front.
-  ExpectNothing(Update(
-    MakeFilter({ { floor, MakeLamp({ 0, 0, 1.5 }, 1, { 100 }), up, down }, {} }, NumberOfWalks)));
+  ExpectNothingOf({ { floor, MakeLamp({ 0, 0, 1.5 }, 1, { 100 }), up, down }, {} });
   const Mesh above = MakeLamp({ 0, 0, 1.6 }, 2, { 100 });
-  ExpectNothing(Update(MakeFilter({ { floor, above, up }, {} }, NumberOfWalks)));
+  ExpectNothingOf({ { floor, above, up }, {} });
 }
 
 TEST(LengthAdvice, PartInMillimetresInARoomInMetres)
 {
   Scene scene = MakeSmallScene();
-  scene.Moving[1].Model = Scaled(MakeBox(0.025, 0.02, 0.015), 1000);
+  scene.Moving[1].Model = Placed(MakeBox(0.025, 0.02, 0.015), 1000, { 0, 0, 0 });
   const auto filter = MakeFilter(scene, NumberOfWalks);
   ExpectOnlyWarning(
     filter, { "input port 1, connection 1", "25 m", "3 m", "millimetres", "0.001" });
@@ -250,13 +228,13 @@ TEST(LengthAdvice, PartInMillimetresInARoomInMetres)
   ExpectNothing(Update(filter)); // said once
   scene.Moving[1].Pose->Scale(0.001, 0.001, 0.001);
   ExpectNothing(Update(filter));
-  ExpectNothing(Update(MakeFilter(scene, NumberOfWalks)));
+  ExpectNothingOf(scene);
 }
 
 TEST(LengthAdvice, SceneInMillimetres)
 {
   Scene scene = MakeSmallScene();
-  scene.Fixed[0] = Scaled(scene.Fixed[0], 1000);
+  scene.Fixed[0] = Placed(scene.Fixed[0], 1000, { 0, 0, 0 });
   scene.Fixed[1] = MakePointLight({ 1500, 1500, 2800 }, { 100 });
   scene.Moving.clear();
   ExpectOnlyWarning(MakeFilter(scene, NumberOfWalks),
@@ -270,21 +248,18 @@ TEST(LengthAdvice, NothingIsSaidOfLargeScenes)
   // A hall of 300 m with lamps of 20 kW; 2 km of land in the sun; a model of any size with
   // exitance.
   const double hall = 300;
-  ExpectNothing(
-    Update(MakeFilter({ { Scaled(MakeRoom(1, 2), hall), MakeLamp({ 150, 150, 20 }, 10, { 200 }) },
-                        { MakeMoving(MakeBox(30, 4, 4), { 100, 100, 2 }) } },
-      NumberOfWalks)));
-  ExpectNothing(Update(MakeFilter({ { MakeRectangle({ 0, 0, 0 }, { 2000, 0, 0 }, { 0, 2000, 0 }, 2),
-                                      MakeLamp({ 1000, 1000, 500 }, 2000, { 1000 }) },
-                                    {} },
-    NumberOfWalks)));
+  ExpectNothingOf(
+    { { Placed(MakeRoom(1, 2), hall, { 0, 0, 0 }), MakeLamp({ 150, 150, 20 }, 10, { 200 }) },
+      { MakeMoving(MakeBox(30, 4, 4), { 100, 100, 2 }) } });
+  ExpectNothingOf({ { MakeRectangle({ 0, 0, 0 }, { 2000, 0, 0 }, { 0, 2000, 0 }, 2),
+                      MakeLamp({ 1000, 1000, 500 }, 2000, { 1000 }) },
+    {} });
   // A large part beside small ones that are lamps alone, or that it does not touch.
-  ExpectNothing(Update(MakeFilter(
-    { { MakeLamp({ 0, 0, 0 }, 1, { 100 }) }, { MakeMoving(MakeBox(30, 30, 2), { 0, 0, -3 }) } },
-    NumberOfWalks)));
+  ExpectNothingOf(
+    { { MakeLamp({ 0, 0, 0 }, 1, { 100 }) }, { MakeMoving(MakeBox(30, 30, 2), { 0, 0, -3 }) } });
   Scene scene = MakeSmallScene();
   scene.Moving[1] = MakeMoving(MakeBox(30, 30, 2), { 50, 0, 0 });
-  ExpectNothing(Update(MakeFilter(scene, NumberOfWalks)));
+  ExpectNothingOf(scene);
 }
 
 // Of 1000 walks the cells of a fine room expect less than one each, so rays have nothing to read.

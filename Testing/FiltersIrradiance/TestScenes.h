@@ -9,7 +9,10 @@
 #include "vtkCubeSource.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkInformation.h"
 #include "vtkIrradianceFilter.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -19,7 +22,9 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTransform.h"
+#include "vtkTransformPolyDataFilter.h"
 
 #include <array>
 #include <cmath>
@@ -55,6 +60,82 @@ inline void SetCellValues(vtkPolyData* polyData, const char* name, const std::ve
   polyData->GetCellData()->AddArray(array);
 }
 
+inline void SetField(vtkDataObject* data, const char* name, const std::vector<double>& values)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  for (const double value : values)
+  {
+    array->InsertNextValue(value);
+  }
+  data->GetFieldData()->AddArray(array);
+}
+
+/// A field array of 16 values, row by row.
+inline void SetObjectToWorld(vtkDataObject* data, vtkTransform* pose)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("ObjectToWorld");
+  array->SetNumberOfComponents(16);
+  array->InsertNextTuple(pose->GetMatrix()->GetData());
+  data->GetFieldData()->AddArray(array);
+}
+
+/// The i-th for the i-th point; one for all if there is one alone.
+inline void SetNormals(vtkPolyData* polyData, const std::vector<Vector>& normals)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("Normals");
+  array->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < polyData->GetNumberOfPoints(); ++i)
+  {
+    array->InsertNextTuple(normals[normals.size() == 1 ? 0 : static_cast<std::size_t>(i)].data());
+  }
+  polyData->GetPointData()->SetNormals(array);
+}
+
+/// Points with normals as SetNormals takes them, and without cells.
+inline Mesh MakeSensors(const std::vector<Vector>& positions, const std::vector<Vector>& normals)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Vector& position : positions)
+  {
+    points->InsertNextPoint(position.data());
+  }
+  auto sensors = Mesh::New();
+  sensors->SetPoints(points);
+  SetNormals(sensors, normals);
+  return sensors;
+}
+
+/// With points in double, so that what coincides still does up to the last digits.
+inline Mesh Transformed(vtkPolyData* mesh, vtkTransform* transform)
+{
+  vtkNew<vtkTransformPolyDataFilter> filter;
+  filter->SetInputData(mesh);
+  filter->SetTransform(transform);
+  filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  filter->Update();
+  return Copy(filter->GetOutput());
+}
+
+/// In double: scaled first, then shifted.
+inline Mesh Placed(const Mesh& mesh, double scale, const Vector& offset)
+{
+  Mesh placed = Copy(mesh);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    const double* p = mesh->GetPoint(i);
+    points->InsertNextPoint(
+      offset[0] + scale * p[0], offset[1] + scale * p[1], offset[2] + scale * p[2]);
+  }
+  placed->SetPoints(points);
+  return placed;
+}
+
 /// The front faces axis1 x axis2.
 inline Mesh MakeRectangle(
   const Vector& corner, const Vector& axis1, const Vector& axis2, int resolution)
@@ -68,6 +149,25 @@ inline Mesh MakeRectangle(
   Mesh rectangle = Copy(source->GetOutput());
   rectangle->GetPointData()->Initialize();
   return rectangle;
+}
+
+/// Normal of a polygon in one plane, convex or not, as long as twice its area. vtkPolygon's has
+/// float's rounding in VTK 9.3.
+inline Vector PolygonNormal(vtkPolyData* polyData, vtkIdList* ids)
+{
+  Vector sum{};
+  for (vtkIdType i = 2; i < ids->GetNumberOfIds(); ++i)
+  {
+    double a[3], b[3], c[3], normal[3];
+    polyData->GetPoint(ids->GetId(0), a);
+    polyData->GetPoint(ids->GetId(i - 1), b);
+    polyData->GetPoint(ids->GetId(i), c);
+    vtkMath::Subtract(b, a, b);
+    vtkMath::Subtract(c, a, c);
+    vtkMath::Cross(b, c, normal);
+    vtkMath::Add(sum.data(), normal, sum.data());
+  }
+  return sum;
 }
 
 inline Mesh Join(const std::vector<Mesh>& parts)
@@ -180,6 +280,12 @@ inline Scene MakeSmallScene()
       MakeMoving(MakeBox(0.5, 0.6, 0.7), { 2, 2, 0.5 }) } };
 }
 
+/// A room of 3 m with a lamp of 25 W under the ceiling.
+inline Scene MakeEmptyRoom()
+{
+  return { { MakeRoom(3, 2), MakeLamp({ 1.5, 1.5, 2.9 }, 0.5, { 100 }) }, {} };
+}
+
 /// Makes `scene` the filter's only input.
 inline void Connect(vtkIrradianceFilter* filter, const Scene& scene)
 {
@@ -229,6 +335,39 @@ inline vtkDataArray* IrradianceOf(vtkIrradianceFilter* filter, unsigned int port
 inline double Field(vtkIrradianceFilter* filter, const char* name, int component = 0)
 {
   return filter->GetOutput()->GetFieldData()->GetArray(name)->GetComponent(0, component);
+}
+
+/// Tuple after tuple; none of null.
+inline std::vector<double> ValuesOf(vtkDataArray* array)
+{
+  std::vector<double> values;
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    for (int component = 0; component < array->GetNumberOfComponents(); ++component)
+    {
+      values.push_back(array->GetComponent(i, component));
+    }
+  }
+  return values;
+}
+
+/// TIME_STEPS of a filter's output.
+inline std::vector<double> StepsOf(vtkAlgorithm* filter, int port = 0)
+{
+  filter->UpdateInformation();
+  vtkInformation* info = filter->GetOutputInformation(port);
+  auto* key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
+  return info->Has(key) ? std::vector<double>(info->Get(key), info->Get(key) + info->Length(key))
+                        : std::vector<double>();
+}
+
+/// Its TIME_RANGE.
+inline std::vector<double> RangeOf(vtkAlgorithm* filter, int port = 0)
+{
+  filter->UpdateInformation();
+  const double* range =
+    filter->GetOutputInformation(port)->Get(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
+  return range ? std::vector<double>{ range[0], range[1] } : std::vector<double>();
 }
 
 /// The same numbers with every standard library: splitmix64 (Steele, Lea and Flood 2014).

@@ -2,13 +2,14 @@
 // Walks that cannot fit into memory are an error before one is shot.
 
 #include "ErrorObserver.h"
+#include "EventObserver.h"
 #include "TestScenes.h"
-
-#include "vtkCallbackCommand.h"
 
 #include <gtest/gtest.h>
 
 #include <sys/resource.h>
+
+#include <limits>
 
 using namespace TestScenes;
 
@@ -40,43 +41,18 @@ private:
 TEST(WalkMemory, IsAskedForBeforeWalksAreShot)
 {
   const AddressLimit limit(rlim_t{ 2 } << 30);
-  vtkNew<vtkIrradianceFilter> filter;
-  const auto reports = ErrorObserver::Watch(filter);
-  Connect(filter, MakeSmallScene());
-  filter->SetDirectLight(vtkIrradianceFilter::Shot);
-  filter->SetNumberOfWalks(100000000);
-  filter->Update();
-  ASSERT_EQ(reports->Errors.size(), 1u);
-  for (const char* word : { "NumberOfWalks is 100000000", "at least 3200 MB", "2147 MB" })
-  {
-    EXPECT_NE(reports->Errors[0].find(word), std::string::npos) << reports->Errors[0];
-  }
-  reports->Clear();
+  const auto filter = MakeFilter(MakeSmallScene(), 100000000);
+  ExpectOne(Update(filter).Errors, { "NumberOfWalks is 100000000", "at least 3200 MB", "2147 MB" });
   filter->SetNumberOfWalks(1000);
-  filter->Update();
-  EXPECT_TRUE(reports->Errors.empty());
+  EXPECT_TRUE(Update(filter).Errors.empty());
 }
 
 // Without movers no walk is stored.
 TEST(WalkMemory, IsNotAskedForWhereNothingIsStored)
 {
   const AddressLimit limit(rlim_t{ 2 } << 30);
-  vtkNew<vtkIrradianceFilter> filter;
-  const auto reports = ErrorObserver::Watch(filter);
-  Scene scene = MakeSmallScene();
-  scene.Moving.clear();
-  Connect(filter, scene);
-  filter->SetDirectLight(vtkIrradianceFilter::Shot);
-  filter->SetNumberOfWalks(100000000);
+  const auto filter = MakeFilter({ MakeSmallScene().Fixed, {} }, 100000000);
   // The first report of progress from the walks stops it.
-  const auto stop = vtkSmartPointer<vtkCallbackCommand>::New();
-  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void* progress) {
-    if (*static_cast<double*>(progress) > 0)
-    {
-      static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-    }
-  });
-  filter->AddObserver(vtkCommand::ProgressEvent, stop);
-  filter->Update();
-  EXPECT_TRUE(reports->Errors.empty());
+  EventObserver::Watch(filter)->AbortFrom = std::numeric_limits<double>::min();
+  EXPECT_TRUE(Update(filter).Errors.empty());
 }

@@ -128,10 +128,7 @@ private:
 
   OutputBits Seen() const { return OutputBits(this->Radiance->GetOutput()); }
   OutputBits AtPoints() const { return OutputBits(this->Points->GetOutput()); }
-  OutputBits Measured() const
-  {
-    return OutputBits(vtkPolyData::SafeDownCast(this->Probe->GetOutput()));
-  }
+  OutputBits Measured() const { return OutputBits(this->Probe->GetOutput()); }
 
   /// Points of polygons with an area have a value; others have none.
   static void ExpectSoundPoints(vtkPolyData* leaf)

@@ -159,8 +159,7 @@ void compareWithBruteForce(const test::NamedScene& scene, const std::vector<Ray>
   {
     moved[i] = chosen[i + 1] = true;
   }
-  SurfaceRecords records;
-  records.update(scene.still, scene.objects);
+  const SurfaceRecords records = scene.records();
   std::vector<Hit> closest, closestMoved;
   for (const Ray& ray : rays)
   {

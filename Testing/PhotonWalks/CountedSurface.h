@@ -2,7 +2,7 @@
 #ifndef irradiance_test_CountedSurface_h
 #define irradiance_test_CountedSurface_h
 
-#include "Meshes/ClosestPoint.h"
+#include "Meshes/TriangleInSphere.h"
 #include "Photons/Foot.h"
 #include "Surfaces/Contacts.h"
 

@@ -11,17 +11,15 @@
 #include <cstring>
 #include <vector>
 
-// Sanitizers make tests about ten times slower, so they do less there.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define IRRADIANCE_TEST_IS_SANITIZED 1
-#else
-#define IRRADIANCE_TEST_IS_SANITIZED 0
-#endif
-
 namespace irradiance::test
 {
 
-constexpr bool kIsSanitized = IRRADIANCE_TEST_IS_SANITIZED != 0;
+/// Sanitizers make tests about ten times slower, so they do less there.
+#if defined(VTKIRRADIANCE_IS_SANITIZED)
+constexpr bool kIsSanitized = true;
+#else
+constexpr bool kIsSanitized = false;
+#endif
 
 /// `count` in an ordinary build, a twelfth of it with sanitizers, at least 1.
 constexpr std::uint32_t scaled(std::uint32_t count)

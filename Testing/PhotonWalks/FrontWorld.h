@@ -25,8 +25,7 @@ public:
     , lights_(objects_, plan.most())
     , samples_(seed, plan.replicates())
     , triangles_(objects_)
-    , sampler_(objects_, lights_, samples_)
-    , stages_(sampler_, triangles_, lights_, samples_)
+    , stages_(objects_, triangles_, lights_, samples_)
     , tracer_(scene_, objects_, triangles_, lights_, samples_)
   {
     scene_.setStatic(objects_.staticObject.body);
@@ -42,7 +41,6 @@ public:
   const LightTable& lights() const { return lights_; }
   const SobolSequence& samples() const { return samples_; }
   const SceneTriangles& triangles() const { return triangles_; }
-  const WalkSampler& sampler() const { return sampler_; }
   const WalkStages& stages() const { return stages_; }
   const Scene& scene() const { return scene_; }
   const WalkTracer& tracer() const { return tracer_; }
@@ -50,7 +48,7 @@ public:
   /// Makes room for these walks and numbers them.
   void enter(WalkFront& front, std::uint32_t first, std::uint32_t count) const
   {
-    front.reserve(count, sampler_.bands());
+    front.reserve(count, stages_.bands());
     front.size = count;
     std::iota(front.walk.data(), front.walk.data() + count, first);
     for (std::uint32_t i = 0; i < count; ++i)
@@ -91,7 +89,7 @@ public:
   /// `expected`: photons.
   FrontTally tallyFor(CellSums& sums, PowerBalance& balance, std::size_t expected) const
   {
-    return FrontTally(triangles_, sums, balance, sampler_.powerPerWalk(), expected);
+    return FrontTally(triangles_, sums, balance, stages_.powerPerWalk(), expected);
   }
 
   /// Takes all walks of the plan from their lights to their ends, so many at a time.
@@ -135,7 +133,6 @@ private:
   LightTable lights_;
   SobolSequence samples_;
   SceneTriangles triangles_;
-  WalkSampler sampler_;
   WalkStages stages_;
   Scene scene_;
   WalkTracer tracer_;

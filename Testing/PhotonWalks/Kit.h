@@ -11,7 +11,7 @@
 #include "ThreadExecution.h"
 #include "Views/OutgoingRadiance.h"
 #include "Views/SensorFinalGather.h"
-#include "Walks/DirectSources.h"
+#include "Walks/LightSurvey.h"
 
 #include "../RayCasting/RandomVectors.h"
 #include "../RayCasting/TestSimdLevels.h"

@@ -25,9 +25,9 @@ inline std::vector<WalkSegment> shotWalk(
   CellSums sums(objects);
   PowerBalance balance;
   const WalkPlan plan;
-  const int bands = tracer.sampler().bands();
+  const int bands = tracer.stages().bands();
   WalkHistory history(plan, PointGrid(tracer.scene().bounds()), tracer.triangles().numbers(), bands,
-    tracer.sampler().powerPerWalk(), std::make_shared<BlockArena>(BounceBlock::pageBytes(bands)),
+    tracer.stages().powerPerWalk(), std::make_shared<BlockArena>(BounceBlock::pageBytes(bands)),
     DealtBlocks(plan.blockOf(walk), plan.blockOf(walk) + 1)); // begins with the walk's block
   history.append();
   WalkBatch batch;
@@ -36,10 +36,11 @@ inline std::vector<WalkSegment> shotWalk(
   batch.front().size = 1;
   batch.front().walk[0] = walk;
   batch.front().block[0] = 0;
-  FrontTally tally(tracer.triangles(), sums, balance, tracer.sampler().powerPerWalk(), 1);
+  FrontTally tally(tracer.triangles(), sums, balance, tracer.stages().powerPerWalk(), 1);
   batch.start(tally);
   batch.run(tally, [] { return false; });
-  std::vector<WalkSegment> segments(history.size(walk));
+  const BounceBlock& block = history.block(0);
+  std::vector<WalkSegment> segments(block.bounceOf(block.lastOf(walk)) + 1);
   StoredRays rays;
   for (std::uint32_t bounce = 0; bounce < segments.size(); ++bounce)
   {
@@ -52,7 +53,7 @@ inline std::vector<WalkSegment> shotWalk(
       segment.hit.distance = tracer.scene().hitOf(segment.ray, segment.hit.id).distance;
     }
     segment.power = history.power(stored);
-    segment.isFront = history.isFront(stored);
+    segment.isFront = block.isFront(block.slotOf(stored));
   }
   return segments;
 }
@@ -76,7 +77,7 @@ inline void storeWalk(
     stored.isFront = segment.isFront;
     stored.power = segment.power;
     front.add(stored);
-    history.append(history.indexOf(walk), front.columns(), 0, 1, &parent);
+    history.block(history.indexOf(walk)).append(front.columns(), 0, 1, &parent);
   }
 }
 

@@ -546,8 +546,8 @@ bool isFlagged(const BouncePage& page, const TestedBody& tested)
   constexpr float kStretch[] = { 1, 0.7F, 0.1F };
   std::uint16_t flagged[PageScan::kGroups];
   NearBody near[PageScan::kMostParts];
-  const PageScan scan{ pages, 1, nullptr, {},
-    { &tested.body, &tested.ball, 1, tested.ball.isSmall(), kStretch }, near, flagged };
+  const PageScan scan{ pages, 1, nullptr, {}, &tested.body, &tested.ball, 1, tested.ball.isSmall(),
+    kStretch, near, flagged };
   IRRADIANCE_CALL_BEST(scanPages, scan);
   return (flagged[0] & 1) != 0;
 }
@@ -680,9 +680,8 @@ std::vector<std::uint16_t> flaggedIn(
   const Eigen::Vector3f stretches = stretch.cast<float>();
   std::vector<std::uint16_t> flagged(PageScan::kGroups);
   NearBody near[PageScan::kMostParts * kBodies];
-  const PageScan scan{ pages, 1, nullptr, {},
-    { bodies.data(), balls.data(), kBodies, ball.isSmall(), stretches.data() }, near,
-    flagged.data() };
+  const PageScan scan{ pages, 1, nullptr, {}, bodies.data(), balls.data(), kBodies, ball.isSmall(),
+    stretches.data(), near, flagged.data() };
   IRRADIANCE_CALL_BEST(scanPages, scan);
   return flagged;
 }
@@ -702,7 +701,7 @@ TEST(BounceScan, LinesLoseNoSegmentThatComesNearABall)
     GridBall ball = ballOnGrid(grid, boundOf(*sphere, pose));
     const BouncePage page = pageBeside(random, ball, stretch);
     const GridBall withLines = ball;
-    ball.line = {};
+    ball.lineRadius = GridBall().lineRadius;
     const auto flagged = foundByAll([&] { return flaggedIn(page, ball, stretch); });
     EXPECT_EQ(foundByAll([&] { return flaggedIn(page, withLines, stretch); }), flagged)
       << "round " << round;

@@ -78,8 +78,8 @@ TEST(PhotonCounts, CountsGoToTheirSums)
       PhotonCounts counts(sums, std::int64_t{ 1 } << 40, expected);
       const std::uint32_t slots[] = { 3, 63, 3, 0, counts.escaped(), 3 };
       counts.add(slots, 6);
-      counts.remove(slots + 1, 1);
-      counts.remove(slots + 4, 2);
+      counts.add(slots + 1, 1, -1);
+      counts.add(slots + 4, 2, -1);
     }
     for (std::size_t cell = 0; cell < 64; ++cell)
     {

@@ -2,7 +2,7 @@
 
 #include "CosineHemisphere.h"
 #include "Kit.h"
-#include "Sampling/CosineDirectionInFloat.h"
+#include "Sampling/DirectionSampling.h"
 
 namespace irradiance::test
 {

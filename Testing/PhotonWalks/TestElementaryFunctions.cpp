@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Functions of our own beside those of the library, in long double.
 
-#include "Sampling/ArcTangent.h"
-#include "Sampling/PowUnit.h"
-#include "Sampling/SinCos.h"
-#include "Sampling/TurnInFloat.h"
+#include "Sampling/ElementaryFunctions.h"
 
 #include "../RayCasting/RandomVectors.h"
 

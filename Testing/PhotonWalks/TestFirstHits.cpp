@@ -123,10 +123,8 @@ TEST(FirstHits, DecideHowManySamplesThereAre)
   floor.addQuad({ 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, 6, 6, grey(kOfWalls));
   addLamp(lamp, 2.5, 1, 8);
   const WalkPlan plan(10000, 10000, 16);
-  const double inRoom =
-    gatheredOf({ room.build(), { lamp.build() } }, plan)[0].density.walksPerSample;
-  const double alone =
-    gatheredOf({ floor.build(), { lamp.build() } }, plan)[0].density.walksPerSample;
+  const double inRoom = gatheredOf({ room.build(), { lamp.build() } }, plan)[0].walksPerSample;
+  const double alone = gatheredOf({ floor.build(), { lamp.build() } }, plan)[0].walksPerSample;
   EXPECT_GT(inRoom, 8 * alone);
   EXPECT_GE(alone, 1);
 }
@@ -176,7 +174,8 @@ TEST(NearLights, HaveTheWholeSourceOrNoneOfIt)
   expected[0].cells = CellPart{};
   // The mean reflectance of the walls is a part of a shot walk's power.
   expected[0].quantaPerStart = gatheredOf(allFar, plan)[0].quantaPerStart;
-  expected[0].density = gatheredOf(allFar, plan)[0].density;
+  expected[0].walksPerSample = gatheredOf(allFar, plan)[0].walksPerSample;
+  expected[0].fewest = gatheredOf(allFar, plan)[0].fewest;
   EXPECT_NEAR(double(expected[0].quantaPerStart),
     meanReflectance(allFar.staticObject) * double(expected[0].lights.quantaPerWalk()), 1);
   EXPECT_TRUE(gatheredOf(allFar, plan) == expected);

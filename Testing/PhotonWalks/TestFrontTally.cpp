@@ -43,7 +43,7 @@ public:
 
   Power carriedBy(std::size_t row) const
   {
-    return all_.bands == 1 ? world_.sampler().powerPerWalk() : all_.powerAt(row, all_.bands);
+    return all_.bands == 1 ? world_.stages().powerPerWalk() : all_.powerAt(row, all_.bands);
   }
 
 private:
@@ -261,7 +261,7 @@ TEST(FrontWorld, AllLightEscapesFromNothing)
   const PowerBalance balance = Shot(world).balance();
   EXPECT_EQ(balance.segments, 1000);
   EXPECT_EQ(balance.emitted, balance.escaped);
-  EXPECT_EQ(balance.emitted, 1000 * world.sampler().powerPerWalk());
+  EXPECT_EQ(balance.emitted, 1000 * world.stages().powerPerWalk());
 }
 
 // Law: the rays that walks were shot with are found again, bit for bit, from what a history stores,
@@ -351,7 +351,7 @@ TEST(FrontRays, FirstRaysAreFoundAgainForAnyListOfWalks)
   onAllRays([](const FrontWorld& world, const WalkFront& rows) {
     const std::vector<std::size_t> chosen = someRows(rows, true);
     WalkFront front;
-    front.reserve(chosen.size(), world.sampler().bands());
+    front.reserve(chosen.size(), world.stages().bands());
     front.size = chosen.size();
     std::size_t inAir = 0;
     for (std::size_t i = 0; i < front.size; ++i)

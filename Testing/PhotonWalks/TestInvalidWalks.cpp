@@ -98,7 +98,7 @@ TEST(PowerBalance, EqualsARecountOfTheWalks)
       std::int64_t segments = 0;
       for (std::uint32_t walk = 0; walk < settings.numberOfWalks; ++walk)
       {
-        emitted += traced.sampler().powerOf(walk);
+        emitted += traced.stages().powerOf(walk);
         for (const WalkSegment& segment : traced.trace(walk))
         {
           ++segments;

@@ -61,10 +61,12 @@ TEST(LeafPhotons, EachPhotonIsInALeafOfItsTriangle)
       for (const LeafPhoton& photon : leaves.leaf(object, leaf).photons())
       {
         isEmpty = false;
-        const Hit stored = onlySet(engine).history().hit(photon.reference());
+        const WalkHistory& history = onlySet(engine).history();
+        const SegmentPlace place = history.placeOf(photon.reference());
+        const Hit stored = history.hit(place);
         EXPECT_TRUE(found.insert(photon.reference()).second);
         EXPECT_EQ(stored.id, (TriangleId{ object, photon.triangle }));
-        EXPECT_EQ(onlySet(engine).history().isFront(photon.reference()), photon.isFront());
+        EXPECT_EQ(history.block(place.block).isFront(place.slot), photon.isFront());
         const TriangleMesh& mesh = objects[object].body->mesh();
         EXPECT_EQ(photon.position,
           unitPoint(tree.frame(), modelPoint(mesh, stored.id.triangle, stored.weights)));

@@ -5,7 +5,7 @@
 #include "DirectLight/DirectPilot.h"
 #include "Kit.h"
 #include "Sampling/SphericalTriangle.h"
-#include "Walks/FrameLights.h"
+#include "Walks/LightSurvey.h"
 
 namespace irradiance::test
 {
@@ -148,7 +148,7 @@ std::optional<double> walksPerSample(const ObjectBuilder& room, double returned 
   const SceneObjects objects{ room.build(), {} };
   const LampPieces lamps(LightTable(objects, 1000));
   const DirectPilot pilot(objects, lamps);
-  const auto [walks, cost] = pilot.best({ 1, returned, std::max(0.0625, returned) });
+  const auto [walks, cost] = pilot.best(1, returned, std::max(0.0625, returned));
   return cost < 1 ? std::optional<double>(walks) : std::nullopt;
 }
 
@@ -204,7 +204,7 @@ TEST(DirectPilot, LooksForWhatIsFarAway)
   double before = 0;
   for (const double arrived : { 1e-6, 1e-3, 0.5, 1.0 })
   {
-    const double cost = pilot.best({ arrived, 0.5, 0.5 }).cost;
+    const double cost = pilot.best(arrived, 0.5, 0.5).cost;
     EXPECT_GT(cost, before);
     EXPECT_LT(cost, 10 * arrived);
     before = cost;
@@ -230,7 +230,7 @@ TEST(DirectPilot, KnowsNothingWithoutStaticCells)
   lamp.addQuad({ 0, 0, 1 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(0, 100));
   const SceneObjects objects{ nothing(), { lamp.build() } };
   const LampPieces lamps(LightTable(objects, 1000));
-  EXPECT_NO_THROW(DirectPilot(objects, lamps).best({ 1, 0.5, 0.5 }));
+  EXPECT_NO_THROW(DirectPilot(objects, lamps).best(1, 0.5, 0.5));
 }
 
 }

@@ -27,7 +27,7 @@ struct Starts
     for (std::uint32_t walk = 0; walk < walks; ++walk)
     {
       rays.push_back(world.rayOf(front, walk));
-      powers.push_back(world.sampler().powerOf(walk));
+      powers.push_back(world.stages().powerOf(walk));
     }
   }
 
@@ -178,11 +178,12 @@ TEST(LampTree, EachLampIsChosenAsOftenAsItsProbability)
       std::map<std::uint32_t, std::pair<double, int>> chosen; // probability, count
       for (int i = 0; i < kSamples; ++i)
       {
-        const LampChoice::Choice one = choice.choose((i + 0.5) / kSamples);
+        const WeightChoice one = choice.choose((i + 0.5) / kSamples);
         ASSERT_GE(one.rest, 0);
         ASSERT_LT(one.rest, 1);
-        const auto known = chosen.emplace(one.piece, std::pair(one.probability, 0)).first;
-        ASSERT_EQ(known->second.first, one.probability);
+        const auto known =
+          chosen.emplace(static_cast<std::uint32_t>(one.place), std::pair(one.weight, 0)).first;
+        ASSERT_EQ(known->second.first, one.weight);
         ++known->second.second;
       }
       for (const auto& [piece, counted] : chosen)
@@ -213,9 +214,8 @@ TEST(LampTree, AmongFaintLampsTheChoiceIsByTheirFlux)
   }
   const LightTable lights({ room.build(), {} }, 1000);
   const LampPieces lamps(lights);
-  const LampTree& tree = lamps.tree();
   int looked = 0;
-  for (const LampTree::Node& node : tree.nodes())
+  for (const LampPieces::Node& node : lamps.nodes())
   {
     if (node.isLeaf() || node.lamp.flux > 1e-20)
     {
@@ -223,10 +223,10 @@ TEST(LampTree, AmongFaintLampsTheChoiceIsByTheirFlux)
     }
     for (double part = 0; part < 1; part += 0x1p-6)
     {
-      const LampTree::Choice share = tree.choose(node, part);
+      const WeightChoice share = lamps.choose(node, part);
       EXPECT_TRUE(share.rest >= 0 && share.rest < 1);
-      EXPECT_NEAR(share.probability, lamps[share.piece].flux / node.lamp.flux, 1e-12);
-      EXPECT_LT(lamps[share.piece].flux, 1e-20);
+      EXPECT_NEAR(share.weight, lamps[share.place].flux / node.lamp.flux, 1e-12);
+      EXPECT_LT(lamps[share.place].flux, 1e-20);
     }
     ++looked;
   }
@@ -244,7 +244,7 @@ TEST(LampTree, ACellFindsTheLampsThatAreNear)
   constexpr int kSamples = 10000;
   for (int i = 0; i < kSamples; ++i)
   {
-    const LampPiece& lamp = lamps[choice.choose((i + 0.5) / kSamples).piece];
+    const LampPiece& lamp = lamps[choice.choose((i + 0.5) / kSamples).place];
     near += (lamp.center - Vector3(0.55, 0.55, 3)).norm() < 0.2 ? 1 : 0;
   }
   EXPECT_GT(near, 0.5 * kSamples);

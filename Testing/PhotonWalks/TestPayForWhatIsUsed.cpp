@@ -136,7 +136,8 @@ TEST(PayForWhatIsUsed, NoLightNoWalks)
   EXPECT_EQ(engine.statistics().invalidWalks, 0);
 }
 
-#if !IRRADIANCE_TEST_IS_SANITIZED && defined(__GLIBC__) // sanitizers have a heap of their own
+#if !defined(VTKIRRADIANCE_IS_SANITIZED) &&                                                        \
+  defined(__GLIBC__) // sanitizers have a heap of their own
 
 double heap()
 {

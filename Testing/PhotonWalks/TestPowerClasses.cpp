@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A weak lamp beside a strong one has walks and samples of its own.
 
-#include "DirectLight/DimLights.h"
+#include "DirectLight/FirstHits.h"
 #include "DirectLight/PowerClasses.h"
 #include "Kit.h"
 #include "Surfaces/MeanReflectance.h"
@@ -164,11 +164,12 @@ ObjectBuilder ovenWith(double exitance, double panel = 0)
 std::pair<double, double> partsOf(const SceneObjects& objects)
 {
   const LightTable lights(objects, 1000);
-  const DimLights dim(objects, FirstHits(objects, lights), meanReflectance(objects.staticObject));
+  const std::vector<bool> areDim =
+    FirstHits(objects, lights).dimLights(objects, lights, meanReflectance(objects.staticObject));
   std::pair<double, double> flux;
-  for (const Light& light : lights.lights())
+  for (std::size_t i = 0; i < areDim.size(); ++i)
   {
-    (dim.contains(light) ? flux.first : flux.second) += light.totalFlux();
+    (areDim[i] ? flux.first : flux.second) += lights[i].totalFlux();
   }
   return flux;
 }

@@ -6,7 +6,6 @@
 #include "LambertContour.h"
 #include "Progress/InputError.h"
 #include "Views/SensorFinalGather.h"
-#include "Views/SensorPlace.h"
 
 namespace irradiance::test
 {

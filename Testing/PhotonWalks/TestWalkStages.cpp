@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FrontWorld.h"
 #include "Kit.h"
-#include "Sampling/CosineDirectionInFloat.h"
 #include "Sampling/DirectionSampling.h"
 #include "Shooting/FrontLoops.h"
 #include "Shooting/WalkFront.h"
@@ -181,8 +180,7 @@ TEST(WalkStages, WalksSurviveAsTheirSamplesSay)
       const double sample =
         world.samples().sample(first + i, front.bounce[i] + 1, SampleUse::Survival)[0];
       if (front.hit[i] != WalkFront::kNone &&
-        sample <
-          world.sampler().materialOf(id.object).totalReflectance()[world.sampler().cellOf(id)])
+        sample < world.stages().materialOf(id.object).totalReflectance()[world.stages().cellOf(id)])
       {
         ASSERT_LT(kept, next.size);
         ASSERT_TRUE(onwards(next, kept) == fromHit(front, i)) << "walk " << first + i;
@@ -212,7 +210,7 @@ TEST(WalkStages, PackingKeepsOrderAndLosesNothing)
             : trial % 4 == 1                                               ? 0
                                                                            : random.engine());
       }
-      runPack({ front, next, true, 3 });
+      frontLoops().pack(front, next, true, 3);
       std::size_t kept = 0;
       for (std::size_t i = 0; i < front.size; ++i)
       {

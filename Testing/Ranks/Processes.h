@@ -21,6 +21,11 @@ inline int Own()
   return Controller->GetLocalProcessId();
 }
 
+inline bool IsLast()
+{
+  return Own() + 1 == Count();
+}
+
 /// All have to call it.
 inline int Sum(int own)
 {

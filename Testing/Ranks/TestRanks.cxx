@@ -8,10 +8,8 @@
 #include "Processes.h"
 #include "TestScenes.h"
 
-#include "vtkObjectFactory.h"
 #include "vtkPhotonWalksFilter.h"
 #include "vtkPointIrradianceFilter.h"
-#include "vtkPolyDataAlgorithm.h"
 
 #include <gtest/gtest.h>
 
@@ -33,24 +31,17 @@ using Settings = std::function<void(vtkIrradianceFilter*)>;
 /// Takes the processes' filter through frames, and compares it with a filter alone in each.
 void ExpectBitsOfOne(const Settings& set)
 {
-  Scene scene = MakeSmallScene();
-  vtkNew<vtkIrradianceFilter> together, alone;
-  for (vtkIrradianceFilter* filter : { together.Get(), alone.Get() })
-  {
-    Connect(filter, scene);
-    filter->SetNumberOfWalks(6000);
-    filter->SetMethodToWalks();
-    set(filter);
-  }
+  const Scene scene = MakeSmallScene();
+  const auto together = MakeFilter(scene, 6000), alone = MakeFilter(scene, 6000);
+  set(together);
+  set(alone);
   together->SetController(Controller);
   alone->SetController(nullptr);
   double invalid = 0;
   for (int frame = 0; frame < 4; ++frame)
   {
     scene.Moving[static_cast<std::size_t>(frame % 2)].Pose->Translate(0.1, 0.05, 0.02);
-    together->Update();
-    alone->Update();
-    EXPECT_TRUE(IsSame(OutputBits(together), OutputBits(alone))) << "frame " << frame;
+    EXPECT_TRUE(UpdatesLike(together, alone)) << "frame " << frame;
     EXPECT_FALSE(OutputBits(together).IsEmpty());
     invalid += together->GetFigure("NumberOfInvalidWalks");
   }
@@ -58,13 +49,10 @@ void ExpectBitsOfOne(const Settings& set)
 }
 
 /// Updates, and expects one error.
-std::string OneErrorOf(vtkIrradianceFilter* filter)
+void ExpectOneError(vtkIrradianceFilter* filter, const std::string& words)
 {
-  const auto observer = ErrorObserver::Watch(filter);
   filter->Modified();
-  filter->Update();
-  EXPECT_EQ(observer->Errors.size(), 1u);
-  return observer->Errors.empty() ? "" : observer->Errors.front();
+  ExpectOne(Update(filter).Errors, { words });
 }
 
 }
@@ -79,7 +67,7 @@ TEST(Ranks, BringTheBitsOfOne)
   ExpectBitsOfOne([](vtkIrradianceFilter* filter) {
     filter->SetComputeStandardError(true);
     filter->SetSeparateSides(true);
-    filter->SetCellEstimateToSpread();
+    filter->SetMethodToSpreadWalks();
   });
 }
 
@@ -121,7 +109,7 @@ TEST(Ranks, AddUpADose)
 // What a budget leaves stale is repaired by all in the end.
 TEST(Ranks, RepairWithinABudget)
 {
-  Scene scene = MakeSmallScene();
+  const Scene scene = MakeSmallScene();
   vtkNew<vtkIrradianceFilter> together, alone;
   Connect(together, scene);
   Connect(alone, scene);
@@ -132,43 +120,34 @@ TEST(Ranks, RepairWithinABudget)
   together->Update();
   EXPECT_GT(together->GetFigure("StalePower"), 0);
   together->SetRepairTimeBudget(0);
-  together->Update();
-  alone->Update();
-  EXPECT_TRUE(IsSame(OutputBits(together), OutputBits(alone)));
+  EXPECT_TRUE(UpdatesLike(together, alone));
 }
 
 TEST(Ranks, HaveOneErrorEachWhenOneFails)
 {
-  const bool isLast = Controller->GetLocalProcessId() == Controller->GetNumberOfProcesses() - 1;
+  const bool isLast = Processes::IsLast();
   const Scene scene = MakeSmallScene();
   vtkNew<vtkIrradianceFilter> filter;
   Connect(filter, scene);
   filter->SetController(Controller);
   filter->SetDefaultDiffuseReflectance(isLast ? 2 : 0.5);
-  const std::string error = OneErrorOf(filter);
-  EXPECT_NE(error.find(isLast ? "DefaultDiffuseReflectance is 2" : "failed or was stopped"),
-    std::string::npos)
-    << error;
+  ExpectOneError(filter, isLast ? "DefaultDiffuseReflectance is 2" : "failed or was stopped");
   // All begin again together.
   filter->SetDefaultDiffuseReflectance(0.5);
-  const auto observer = ErrorObserver::Watch(filter);
   filter->Modified(); // on all, though only one has another setting
-  filter->Update();
-  EXPECT_TRUE(observer->Errors.empty());
+  EXPECT_TRUE(Update(filter).Errors.empty());
   EXPECT_GT(filter->GetFigure("AbsorbedPower"), 0);
 }
 
 TEST(Ranks, HaveOneErrorEachWhenNotGivenTheSame)
 {
-  const bool isLast = Controller->GetLocalProcessId() == Controller->GetNumberOfProcesses() - 1;
-  const bool areSeveral = AreSeveral();
+  const bool isLast = Processes::IsLast();
   const Scene scene = MakeSmallScene();
   const auto expect = [&](vtkIrradianceFilter* filter, const std::string& text) {
     filter->SetController(Controller);
-    if (areSeveral)
+    if (AreSeveral())
     {
-      const std::string error = OneErrorOf(filter);
-      EXPECT_NE(error.find(text), std::string::npos) << error;
+      ExpectOneError(filter, text);
     }
   };
   vtkNew<vtkIrradianceFilter> settings, places, none;
@@ -187,20 +166,15 @@ TEST(Ranks, HaveOneErrorEachWhenNotGivenTheSame)
 
 TEST(Ranks, ShowTheWalksOfOne)
 {
-  Scene scene = MakeSmallScene();
-  vtkNew<vtkIrradianceFilter> together, alone;
-  for (vtkIrradianceFilter* filter : { together.Get(), alone.Get() })
-  {
-    Connect(filter, scene);
-    filter->SetNumberOfWalks(6000);
-    filter->SetNumberOfOutputWalks(300);
-  }
+  const Scene scene = MakeSmallScene();
+  const auto together = MakeDefaultFilter(scene, 6000), alone = MakeDefaultFilter(scene, 6000);
   together->SetController(Controller);
   alone->SetController(nullptr);
   for (const vtkIdType cell : { -1, 4 })
   {
-    for (vtkIrradianceFilter* filter : { together.Get(), alone.Get() })
+    for (const auto& filter : { together, alone })
     {
+      filter->SetNumberOfOutputWalks(300);
       filter->SetOutputWalksCell(cell);
     }
     scene.Moving[0].Pose->Translate(0.1, 0.05, 0.02);
@@ -237,12 +211,8 @@ TEST(Ranks, HaveTheSameLightAtPoints)
 // Each process would repair other walks, and then show other photons.
 TEST(Ranks, RefuseABudgetWherePhotonsAreRead)
 {
-  const Scene scene = MakeSmallScene();
-  vtkNew<vtkIrradianceFilter> filter;
-  Connect(filter, scene);
+  const auto filter = MakeFilter(MakeSmallScene(), 6000);
   filter->SetController(Controller);
-  filter->SetNumberOfWalks(6000);
-  filter->SetCellEstimateToSums();
   filter->SetRepairTimeBudget(1);
   vtkNew<vtkPhotonWalksFilter> walks;
   walks->SetInputConnection(filter->GetOutputPort());
@@ -251,51 +221,27 @@ TEST(Ranks, RefuseABudgetWherePhotonsAreRead)
   ASSERT_EQ(observer->Errors.size(), AreSeveral() ? 1u : 0u);
   if (AreSeveral())
   {
-    EXPECT_NE(
-      observer->Errors.front().find("RepairTimeBudget is 1, but there are "), std::string::npos);
+    ExpectWords(observer->Errors[0], { "RepairTimeBudget is 1, but there are " });
   }
-}
-
-namespace
-{
-
-/// A source that may fail.
-class Fallible : public vtkPolyDataAlgorithm
-{
-public:
-  vtkTypeMacro(Fallible, vtkPolyDataAlgorithm);
-  static Fallible* New();
-  bool Fails = false;
-
-protected:
-  Fallible() { this->SetNumberOfInputPorts(0); }
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
-  {
-    vtkPolyData::GetData(output)->ShallowCopy(MakeRoom(3, 3));
-    return this->Fails ? 0 : 1;
-  }
-};
-vtkStandardNewMacro(Fallible);
-
 }
 
 // VTK does not call a filter whose input fails; the others must hear of it.
 TEST(Ranks, EndWhenTheInputOfOneFails)
 {
-  vtkNew<Fallible> source;
+  const auto source = PartOverTime::Make(MakeRoom(3, 3), {}, [](vtkPolyData*, double) {});
   vtkNew<vtkIrradianceFilter> filter;
   filter->SetController(Controller);
   filter->SetNumberOfWalks(2000);
   filter->AddInputConnection(0, source->GetOutputPort());
   filter->AddInputDataObject(0, MakeLamp({ 1.5, 1.5, 2.875 }, 0.75, { 100 }));
-  source->Fails = Processes::Own() == Processes::Count() - 1;
+  source->FailsAt = Processes::IsLast() ? 0 : 7;
   const auto observer = ErrorObserver::Watch(filter);
   const auto ofSource = ErrorObserver::Watch(source);
   filter->Update();
-  EXPECT_EQ(observer->Errors.size(), source->Fails ? 0u : 1u);
-  EXPECT_EQ(ofSource->Failures, source->Fails ? 1 : 0);
+  EXPECT_EQ(observer->Errors.size(), Processes::IsLast() ? 0u : 1u);
+  EXPECT_EQ(ofSource->Failures, Processes::IsLast() ? 1 : 0);
   // All begin again together.
-  source->Fails = false;
+  source->FailsAt = 7;
   source->Modified();
   filter->Update();
   EXPECT_GT(filter->GetFigure("AbsorbedPower"), 0);

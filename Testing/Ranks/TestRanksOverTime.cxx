@@ -17,14 +17,10 @@
 
 using namespace ExposureScenes;
 using Processes::Controller;
+using Processes::IsLast;
 
 namespace
 {
-
-bool IsLast()
-{
-  return Processes::Own() + 1 == Processes::Count();
-}
 
 /// What a process visits of times that are known in advance.
 std::vector<double> ShareOf(const std::vector<double>& times, int process)
@@ -413,62 +409,36 @@ TEST(RanksOverTime, HaveTheErrorOfOne)
   ExpectWords(observer->Errors[0], { "the input, cell 0: Irradiance is nan at time 0.25" });
 }
 
+// The dose, or the light that it waits for.
 TEST(RanksOverTime, StopAllWhenOneIsAborted)
 {
-  Walk walk;
-  walk.Dose->SetController(Controller);
-  vtkNew<Aborter> aborter;
-  if (IsLast())
+  for (const bool isLight : { false, true })
   {
-    walk.Dose->AddObserver(vtkCommand::ProgressEvent, aborter);
+    Walk walk;
+    walk.Dose->SetController(Controller);
+    vtkAlgorithm* const stopped = isLight ? static_cast<vtkAlgorithm*>(walk.Scene.Irradiance)
+                                          : static_cast<vtkAlgorithm*>(walk.Dose);
+    EventObserver::Watch(stopped)->AbortIn = !IsLast() ? 0 : isLight ? 2 : 1;
+    const auto observer = ErrorObserver::Watch(walk.Dose);
+    walk.Dose->Update();
+    EXPECT_EQ(observer->Errors.size(), IsLast() ? 0u : 1u);
+    EXPECT_EQ(BlocksOf(walk.Dose)->GetNumberOfBlocks(), 0u);
+    ExpectWell(walk);
   }
-  aborter->Events = 1;
-  const auto observer = ErrorObserver::Watch(walk.Dose);
-  walk.Dose->Update();
-  EXPECT_EQ(observer->Errors.size(), IsLast() ? 0u : 1u);
-  EXPECT_EQ(BlocksOf(walk.Dose)->GetNumberOfBlocks(), 0u);
-  ExpectWell(walk);
-}
-
-TEST(RanksOverTime, StopAllWhenTheLightOfOneIsAborted)
-{
-  Walk walk;
-  walk.Dose->SetController(Controller);
-  vtkNew<Aborter> aborter;
-  if (IsLast())
-  {
-    walk.Scene.Irradiance->AddObserver(vtkCommand::ProgressEvent, aborter);
-  }
-  aborter->Events = 2;
-  const auto observer = ErrorObserver::Watch(walk.Dose);
-  walk.Dose->Update();
-  EXPECT_EQ(observer->Errors.size(), IsLast() ? 0u : 1u);
-  EXPECT_EQ(BlocksOf(walk.Dose)->GetNumberOfBlocks(), 0u);
-  ExpectWell(walk);
 }
 
 // An observer changes a setting: on all, and they begin again; on some, and each has one error.
 TEST(RanksOverTime, AgreeOnWhatChangesMeanwhile)
 {
-  class Changer : public vtkCommand
-  {
-  public:
-    static Changer* New() { return new Changer; }
-    void Execute(vtkObject* caller, unsigned long, void*) override
-    {
-      static_cast<vtkRadiantExposureFilter*>(caller)->SetStartTime(0.5);
-    }
-  };
   for (const bool isOnAll : { true, false })
   {
     Walk walk, alone;
-    vtkNew<Changer> changer;
     walk.Dose->SetController(Controller);
     alone.Dose->SetStartTime(0.5);
     alone.Dose->Update();
     if (isOnAll || IsLast())
     {
-      walk.Dose->AddObserver(vtkCommand::ProgressEvent, changer);
+      EventObserver::Watch(walk.Dose)->Change = [&] { walk.Dose->SetStartTime(0.5); };
     }
     const auto observer = ErrorObserver::Watch(walk.Dose);
     walk.Dose->Update();

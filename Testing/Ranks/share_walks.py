@@ -24,7 +24,7 @@ assert together.GetController() is controller
 alone.SetController(None)
 for irradiance in (together, alone):
     irradiance.SetNumberOfWalks(20000)
-    irradiance.SetDirectLightToShot()  # what is gathered is kept on each process
+    irradiance.SetMethodToWalks()  # what is gathered is kept on each process
     irradiance.AddInputDataObject(0, lamp.GetOutput())
     irradiance.AddInputConnection(1, ball.GetOutputPort())
     irradiance.SetDynamicTransform(0, pose)

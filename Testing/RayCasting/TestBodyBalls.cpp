@@ -93,7 +93,7 @@ Pairs pairsOf(const TreeRays& rays, const BodyBalls& balls)
 {
   std::vector<NearRays> found(
     std::size_t{ TreeRays::roomFor(rays.count) } / NearRays::kLeastLanes * balls.size());
-  found.resize(findNear(rays, balls, found.data()));
+  found.resize(frontStages().findNear(rays, balls, found.data()));
   Pairs pairs;
   for (const NearRays& near : found)
   {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The triangles found near a box, compared with a search of all triangles.
 
-#include "Trees/BoxQuery.h"
+#include "Trees/LeafQuery.h"
 
 #include <gtest/gtest.h>
 

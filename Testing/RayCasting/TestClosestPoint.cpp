@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Meshes/ClosestPoint.h"
+#include "Meshes/TriangleInSphere.h"
 #include "RandomVectors.h"
 
 #include <gtest/gtest.h>

@@ -9,9 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <cstdio>
-
 namespace irradiance
 {
 namespace
@@ -92,14 +89,11 @@ TEST(EllipsoidBound, RejectsNoSegmentThatHits)
   EXPECT_GE(total.segments, 10000000 / test::kFewer);
   EXPECT_GE(total.rejected, total.segments / 50);
   EXPECT_LE(total.flat, total.rejected / 1000);
-  std::printf("seeds 1001-%u: %ld segments, %ld rejected, %ld falsely, %ld in a plane\n", seed,
-    total.segments, total.rejected, total.falselyRejected, total.flat);
 }
 
 // The test above can fail: nearly every pair detects an ellipsoid that is too small by 1e-4.
 TEST(EllipsoidBound, FuzzFindsARadiusTooSmall)
 {
-  Count total;
   unsigned seed = 2000;
   for (const Body& body : test::hardBodies())
   {
@@ -111,10 +105,7 @@ TEST(EllipsoidBound, FuzzFindsARadiusTooSmall)
       count += fuzz(body, motion.worldFromObject, tooSmall, 5000, ++seed);
     }
     EXPECT_GT(count.falselyRejected, 0) << body.name;
-    total += count;
   }
-  std::printf("seeds 2001-%u, radius * 0.9999: %ld segments, %ld rejected falsely\n", seed,
-    total.segments, total.falselyRejected);
 }
 
 // Segments end exactly on a corner whose image is exact in doubles.
@@ -122,7 +113,6 @@ TEST(EllipsoidBound, RejectsNoSegmentThatEndsOnACorner)
 {
   RandomVectors random(3);
   const auto integer = [&] { return std::floor(random.uniform(-8, 9)); };
-  long tests = 0;
   for (int repeat = 0; repeat < 20000; ++repeat)
   {
     AffineMap map; // often singular
@@ -145,10 +135,8 @@ TEST(EllipsoidBound, RejectsNoSegmentThatEndsOnACorner)
       const Vector3 other = image + random.direction() * random.powerOfTwo(-20, 20);
       EXPECT_FALSE(bound.rejects(image, other) || bound.rejects(other, image));
       EXPECT_FALSE(bound.rejects(image, image));
-      tests += 3;
     }
   }
-  std::printf("seed 3: %ld segments\n", tests);
 }
 
 TEST(EllipsoidBound, RejectsNoSegmentWithinThePad)
@@ -183,7 +171,6 @@ TEST(EllipsoidBound, RejectsNoSegmentWithinThePad)
     }
   }
   EXPECT_GE(tests, 100000);
-  std::printf("seed 4: %ld segments within the pad\n", tests);
 }
 
 TEST(EllipsoidBound, PadIsNotMuchWiderThanAsked)
@@ -207,7 +194,6 @@ TEST(EllipsoidBound, PadIsNotMuchWiderThanAsked)
 TEST(EllipsoidBound, RejectsNearlyAllThatMiss)
 {
   RandomVectors random(5);
-  double worst = 1.0;
   for (const Motion& motion : test::hardMotions())
   {
     if (!motion.hasInverse)
@@ -236,10 +222,8 @@ TEST(EllipsoidBound, RejectsNearlyAllThatMiss)
       }
       const double ratio = static_cast<double>(rejected) / static_cast<double>(missing);
       EXPECT_GE(ratio, 0.998) << motion.name << ", " << body.name;
-      worst = std::min(worst, ratio);
     }
   }
-  std::printf("seed 5: at worst %.4f of the misses are rejected\n", worst);
 }
 
 TEST(EllipsoidBound, BoxContainsTheEllipsoid)
@@ -247,7 +231,6 @@ TEST(EllipsoidBound, BoxContainsTheEllipsoid)
   RandomVectors random(6);
   const std::vector<Body> bodies = test::hardBodies();
   const std::vector<Motion> motions = test::hardMotions();
-  long tests = 0;
   long violations = 0;
   double loosest = 0.0;
   for (int repeat = 0; repeat < 1400; ++repeat)
@@ -271,7 +254,6 @@ TEST(EllipsoidBound, BoxContainsTheEllipsoid)
         const Quad above = Quad(box.upper[i]) - truth.center[i];
         for (const Quad reach : { below, above })
         {
-          ++tests;
           violations += reach < 0 || reach * reach < square ? 1 : 0;
           const Quad excess = (reach * reach - square) / (reach * roundingUnit);
           loosest = std::max(loosest, static_cast<double>(excess));
@@ -281,8 +263,6 @@ TEST(EllipsoidBound, BoxContainsTheEllipsoid)
   }
   EXPECT_EQ(violations, 0);
   EXPECT_LE(loosest, 200.0) << "in units of 1e-15 of the coordinates";
-  std::printf("seed 6: %ld axis tests, %ld violations, loosest by %.1fe-15 of the coordinates\n",
-    tests, violations, 0.5 * loosest);
 }
 
 TEST(EllipsoidBound, BoxContainsTheBodyAndIsTight)
@@ -328,13 +308,10 @@ TEST(EllipsoidBound, BoxContainsTheBodyAndIsTight)
         }
       }
     }
-    std::printf(
-      "%s: area of the box over the corners' box %.3f\n", body.name.c_str(), areaRatio / n);
     EXPECT_LE(areaRatio / n, 1.6) << body.name;
   }
   EXPECT_GE(tests, 300000);
   EXPECT_EQ(violations, 0);
-  std::printf("seed 7: %ld axis tests, %ld violations\n", tests, violations);
 }
 
 TEST(EllipsoidBound, AcceptsWhatItCannotJudge)
@@ -369,7 +346,6 @@ TEST(EllipsoidBound, AcceptsWhatItCannotJudge)
 
 TEST(EllipsoidBound, ScalesExactlyWithPowersOfTwo)
 {
-  long tests = 0;
   for (const Body& body : test::hardBodies())
   {
     for (const Motion& motion : test::hardMotions())
@@ -386,7 +362,7 @@ TEST(EllipsoidBound, ScalesExactlyWithPowersOfTwo)
         EXPECT_TRUE(scaled.worldBox().lower == unit.worldBox().lower * s) << motion.name;
         EXPECT_TRUE(scaled.worldBox().upper == unit.worldBox().upper * s) << motion.name;
         SegmentSource source(body, map, 8);
-        for (int i = 0; i < 300; ++i, ++tests)
+        for (int i = 0; i < 300; ++i)
         {
           const Segment g = source.next();
           EXPECT_EQ(scaled.rejects(g.from * s, g.to * s), unit.rejects(g.from, g.to));
@@ -394,7 +370,6 @@ TEST(EllipsoidBound, ScalesExactlyWithPowersOfTwo)
       }
     }
   }
-  std::printf("seed 8: %ld segments\n", tests);
 }
 
 }

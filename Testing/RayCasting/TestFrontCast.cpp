@@ -3,7 +3,6 @@
 
 #include "SceneTest.h"
 #include "TestFronts.h"
-#include "TestRays.h"
 #include "TestSimdLevels.h"
 
 #include <gtest/gtest.h>
@@ -29,27 +28,6 @@ bool haveSameBits(const Hit& a, const Hit& b)
 {
   return std::memcmp(&a.distance, &b.distance, sizeof a.distance) == 0 && a.id == b.id &&
     std::memcmp(a.weights.data(), b.weights.data(), sizeof a.weights) == 0;
-}
-
-SurfaceRecords recordsOf(const NamedScene& scene)
-{
-  SurfaceRecords records;
-  records.update(scene.still, scene.objects);
-  return records;
-}
-
-/// Rays aimed at the triangles of all objects.
-RaySource raysAt(const NamedScene& named, const SurfaceRecords& records, unsigned seed)
-{
-  std::vector<Triangle> triangles;
-  std::vector<TriangleId> ids;
-  const Scene scene = named.scene(TraversalMode::Parallel);
-  for (std::uint32_t i = 0; i < records.size(); ++i)
-  {
-    ids.push_back(records.numbers().idOf(i));
-    triangles.push_back(scene.worldTriangle(ids.back()));
-  }
-  return RaySource(triangles, seed, ids);
 }
 
 using test::CastFunction;
@@ -83,7 +61,7 @@ void expectHits(const NamedScene& named, const Scene& scene, CastFunction functi
   const std::vector<Ray>& rays, const std::vector<Hit>& given, const std::vector<Hit>& expected,
   const std::string& what)
 {
-  const SurfaceRecords records = recordsOf(named);
+  const SurfaceRecords records = named.records();
   test::TestFront front(records);
   for (const SimdLevel level : test::simdLevels())
   {
@@ -181,13 +159,13 @@ class FrontLaw : public test::SceneTest
 TEST_P(FrontLaw, FindsWhatBruteForceFinds)
 {
   constexpr unsigned kSeed = 21;
-  const SurfaceRecords records = recordsOf(named_);
+  const SurfaceRecords records = named_.records();
   if (records.size() == 0)
   {
     return;
   }
   const int count = raysFor(records, 500000);
-  RaySource source = raysAt(named_, records, kSeed);
+  RaySource source = test::raysAt(named_, kSeed);
   int hits = 0;
   for (const test::RayKind kind : kRayKinds)
   {
@@ -210,7 +188,7 @@ TEST_P(FrontLaw, FindsWhatBruteForceFinds)
 std::vector<Ray> mixedRays(const NamedScene& named, const SurfaceRecords& records, unsigned seed)
 {
   const auto count = static_cast<std::size_t>(raysFor(records, 1000000));
-  RaySource source = raysAt(named, records, seed);
+  RaySource source = test::raysAt(named, seed);
   std::vector<Ray> rays;
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -243,7 +221,7 @@ std::vector<Hit> givenHits(
 // Hits that are known are kept unless something is closer, also at the very same distance.
 TEST_P(FrontLaw, KeepsCloserHits)
 {
-  const SurfaceRecords records = recordsOf(named_);
+  const SurfaceRecords records = named_.records();
   if (records.size() == 0)
   {
     return;
@@ -266,7 +244,7 @@ TEST_P(FrontLaw, KeepsCloserHits)
 
 TEST_P(FrontLaw, CastsToMovedObjects)
 {
-  const SurfaceRecords records = recordsOf(named_);
+  const SurfaceRecords records = named_.records();
   if (records.size() == 0)
   {
     return;
@@ -289,7 +267,7 @@ TEST_P(FrontLaw, CastsToMovedObjects)
 // Known hits have the distances and the weights with which they were found; others are missed.
 TEST_P(FrontLaw, FindsTheDistancesOfKnownHits)
 {
-  const SurfaceRecords records = recordsOf(named_);
+  const SurfaceRecords records = named_.records();
   if (records.size() == 0)
   {
     return;
@@ -331,7 +309,7 @@ TEST(FrontCast, ManyTrianglesAtOneDistance)
   const auto body = test::bodyOf(many);
   const NamedScene scene{ "many at one place", body,
     { { body, { test::stretch(1, 1, 1), { 0, 0, -0.25 } } } } };
-  const SurfaceRecords records = recordsOf(scene);
+  const SurfaceRecords records = scene.records();
   test::RandomVectors random(23);
   std::vector<Ray> rays;
   for (int i = 0; i < 500; ++i)
@@ -368,8 +346,8 @@ TEST(FrontCast, WhatIsNotThereIsNotHit)
   NamedScene scene = test::hardMaps();
   scene.objects.resize(3);
   scene.objects[1].isPresent = false;
-  const SurfaceRecords records = recordsOf(scene);
-  RaySource source = raysAt(test::hardMaps(), recordsOf(test::hardMaps()), 25);
+  const SurfaceRecords records = scene.records();
+  RaySource source = test::raysAt(test::hardMaps(), 25);
   std::vector<Ray> rays;
   for (int i = 0; i < 2000; ++i)
   {

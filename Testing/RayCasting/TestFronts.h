@@ -70,11 +70,11 @@ public:
     }
   }
 
-  FrontRays columns()
+  TreeRays columns()
   {
-    FrontRays rays{ count_, { origin_[0].data(), origin_[1].data(), origin_[2].data() },
-      { nullptr, nullptr, nullptr }, start_.data(), distance_.data(), hit_.data(),
-      { weight_[0].data(), weight_[1].data() } };
+    TreeRays rays{ count_, { origin_[0].data(), origin_[1].data(), origin_[2].data() },
+      { nullptr, nullptr, nullptr }, { nullptr, nullptr, nullptr }, start_.data(), distance_.data(),
+      hit_.data(), { weight_[0].data(), weight_[1].data() } };
     for (int axis = 0; axis < 3; ++axis)
     {
       rays.direction[axis] = isExact_ ? nullptr : direction_[axis].data();
@@ -97,7 +97,7 @@ private:
   std::vector<std::uint32_t> start_, hit_;
 };
 
-using CastFunction = void (FrontCast::*)(const Scene&, const FrontTriangles&, const FrontRays&);
+using CastFunction = void (FrontCast::*)(const Scene&, const FrontTriangles&, const TreeRays&);
 
 /// Casts rays of any direction with these hits given.
 inline std::vector<Hit> hitsOf(const Scene& scene, const SurfaceRecords& records,

@@ -2,7 +2,7 @@
 #include "KdTreeWalk.h"
 #include "RandomVectors.h"
 #include "TestMeshes.h"
-#include "Trees/KdItem.h"
+#include "Trees/KdBounds.h"
 
 #include <gtest/gtest.h>
 

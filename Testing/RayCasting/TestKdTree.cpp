@@ -2,15 +2,14 @@
 #include "Scene/Scene.h"
 
 #include "TestFronts.h"
-#include "TestMeshes.h"
 #include "TestRays.h"
+#include "TestScenes.h"
 #include "TestSimdLevels.h"
 #include "Trees/KdTreeBuilder.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
 
 // Law: ray casting = brute force, bit for bit.
 
@@ -20,41 +19,24 @@ namespace
 {
 
 using test::exactly;
+using test::isSameHit;
 using test::kFewer;
 using test::kRayKinds;
 using test::NamedMesh;
 using test::RayKind;
 using test::RaySource;
 
-Hit bruteForce(const TriangleMesh& mesh, const Ray& ray)
-{
-  const ShearedRay sheared(ray.origin, ray.direction);
-  Hit best;
-  for (std::uint32_t i = 0; i < mesh.size(); ++i)
-  {
-    Hit hit{ 0, { 0, i } };
-    if (sheared.intersects(mesh[i], hit.distance) && hit.id != ray.start && isCloser(hit, best))
-    {
-      best = hit;
-    }
-  }
-  return best;
-}
-
-bool isSameHit(const Hit& a, const Hit& b)
-{
-  return std::memcmp(&a.distance, &b.distance, sizeof a.distance) == 0 && a.id == b.id;
-}
-
 class KdTreeLaw : public testing::TestWithParam<NamedMesh>
 {
 protected:
   KdTreeLaw()
-    : body(std::make_shared<RigidObject>(TriangleMesh(GetParam().triangles)))
+    : named{ GetParam().name, test::bodyOf(GetParam().triangles), {} }
+    , scene(named.scene(TraversalMode::Parallel))
   {
-    scene.setStatic(body);
-    scene.commit({});
   }
+
+  Hit bruteForce(const Ray& ray) const { return test::bruteForce(named, ray, { true }); }
+  const TriangleMesh& mesh() const { return named.still->mesh(); }
 
   std::string describe(const Ray& ray, const Hit& expected, const Hit& found) const
   {
@@ -62,7 +44,7 @@ protected:
     for (const Hit& hit : { expected, found })
     {
       text += "\n  hit " + exactly(hit) + (hit ? ": " : "");
-      text += hit ? exactly(body->mesh()[hit.id.triangle]) : "";
+      text += hit ? exactly(mesh()[hit.id.triangle]) : "";
     }
     return text;
   }
@@ -71,10 +53,10 @@ protected:
   int numberOfRays() const
   {
     constexpr int kTests = 20000000, kMost = 30000;
-    return std::min(kMost, kTests / static_cast<int>(body->mesh().size())) / kFewer;
+    return std::min(kMost, kTests / static_cast<int>(mesh().size())) / kFewer;
   }
 
-  std::shared_ptr<const RigidObject> body;
+  test::NamedScene named;
   Scene scene;
 };
 
@@ -90,7 +72,7 @@ TEST_P(KdTreeLaw, FindsWhatBruteForceFinds)
     for (int i = 0; i < numberOfRays(); ++i)
     {
       rays.push_back(source.next(kind));
-      expected.push_back(bruteForce(body->mesh(), rays.back()));
+      expected.push_back(bruteForce(rays.back()));
       hits += expected.back() ? 1 : 0;
     }
     for (const SimdLevel level : test::simdLevels())
@@ -118,8 +100,7 @@ TEST_P(KdTreeLaw, KeepsABetterHit)
 {
   constexpr unsigned kSeed = 3;
   RaySource source(GetParam().triangles, kSeed);
-  SurfaceRecords records;
-  records.update(body, {});
+  const SurfaceRecords records = named.records();
   for (const RayKind kind : kRayKinds)
   {
     std::vector<Ray> rays;
@@ -127,7 +108,7 @@ TEST_P(KdTreeLaw, KeepsABetterHit)
     for (int i = 0; i < numberOfRays() / 8; ++i)
     {
       const Ray ray = source.next(kind);
-      const Hit nearest = bruteForce(body->mesh(), ray);
+      const Hit nearest = bruteForce(ray);
       const double distance = nearest ? nearest.distance : 1.0;
       for (const Hit& best :
         { Hit{ distance, { 1, 0 } }, Hit{ distance * source.random().uniform(0.5, 2), { 1, 0 } },

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Scene.h"
 
-#include "TestMeshes.h"
 #include "TestRays.h"
+#include "TestScenes.h"
 
 #include <gtest/gtest.h>
 
@@ -49,10 +49,8 @@ test::Triangles combBeforeEdge(double length)
 int mismatches(const AffineMap& place, double tilt, double length, int rays, RandomVectors& random)
 {
   const test::Triangles triangles = test::moved(combBeforeEdge(length), place);
-  const auto body = std::make_shared<RigidObject>(TriangleMesh(triangles));
-  Scene scene;
-  scene.setStatic(body);
-  scene.commit({});
+  const test::NamedScene named{ "comb", test::bodyOf(triangles), {} };
+  const Scene scene = named.scene(TraversalMode::Parallel);
   const Triangle& large = triangles[0];
   int wrong = 0;
   for (int i = 0; i < rays; ++i)
@@ -63,16 +61,7 @@ int mismatches(const AffineMap& place, double tilt, double length, int rays, Ran
     const Vector3 direction =
       place.linear * Vector3(1, 0, (random.uniform() < 0 ? -1 : 1) * random.uniform(1, 2) * tilt);
     const Ray ray{ target - random.uniform(0.5, 1) * direction, direction, {} };
-    const ShearedRay sheared(ray.origin, ray.direction);
-    Hit expected;
-    for (std::uint32_t k = 0; k < triangles.size(); ++k)
-    {
-      Hit hit{ 0, { 0, k } };
-      if (sheared.intersects(triangles[k], hit.distance) && isCloser(hit, expected))
-      {
-        expected = hit;
-      }
-    }
+    const Hit expected = test::bruteForce(named, ray, { true });
     const Hit found = scene.cast(ray);
     if (found != expected && ++wrong == 1 && !testing::Test::HasFailure())
     {

@@ -24,7 +24,7 @@ namespace irradiance::test
 {
 
 /// Test counts are for an optimised build; sanitizers and -O0 are some twenty times slower.
-#if defined(__SANITIZE_ADDRESS__) || !defined(NDEBUG)
+#if defined(VTKIRRADIANCE_IS_SANITIZED) || !defined(NDEBUG)
 constexpr int kFewer = 25;
 #else
 constexpr int kFewer = 1;

@@ -19,8 +19,6 @@ namespace
 
 using Corners = std::vector<Vector3>;
 
-constexpr double kPi = 3.14159265358979323846;
-
 struct Cut
 {
   std::vector<Triangle> triangles;

@@ -7,6 +7,7 @@
 #include "RandomVectors.h"
 
 #include <array>
+#include <cstring>
 #include <iomanip>
 #include <ostream>
 #include <sstream>
@@ -43,6 +44,12 @@ inline std::string exactly(const Hit& hit)
   text << std::hexfloat << hit.distance << " object " << hit.id.object << " triangle "
        << hit.id.triangle;
   return text.str();
+}
+
+/// Bit for bit, but for the weights.
+inline bool isSameHit(const Hit& a, const Hit& b)
+{
+  return std::memcmp(&a.distance, &b.distance, sizeof a.distance) == 0 && a.id == b.id;
 }
 
 enum class RayKind

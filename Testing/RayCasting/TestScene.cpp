@@ -3,12 +3,10 @@
 
 #include "SceneTest.h"
 #include "TestFronts.h"
-#include "TestRays.h"
 #include "TestSimdLevels.h"
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <initializer_list>
 
 // Law: all traversal modes and brute force give the same bits.
@@ -19,6 +17,7 @@ namespace
 {
 
 using test::exactly;
+using test::isSameHit;
 using test::kFewer;
 using test::kRayKinds;
 using test::NamedScene;
@@ -28,41 +27,10 @@ using test::RaySource;
 constexpr TraversalMode kModes[] = { TraversalMode::OneTree, TraversalMode::Sequential,
   TraversalMode::Parallel };
 
-bool haveSameBits(const Hit& a, const Hit& b)
-{
-  return std::memcmp(&a.distance, &b.distance, sizeof a.distance) == 0 && a.id == b.id;
-}
-
-SurfaceRecords recordsOf(const NamedScene& scene)
-{
-  SurfaceRecords records;
-  records.update(scene.still, scene.objects);
-  return records;
-}
-
 class SceneLaw : public test::SceneTest
 {
 protected:
   std::size_t numberOfObjects() const { return named_.objects.size(); }
-
-  /// Rays aimed at the triangles of all objects, in world space.
-  RaySource rays(unsigned seed) const
-  {
-    const Scene scene = named_.scene(TraversalMode::Parallel);
-    std::vector<Triangle> triangles;
-    std::vector<TriangleId> ids;
-    for (std::uint32_t object = 0; object <= numberOfObjects(); ++object)
-    {
-      const std::size_t size =
-        (object == 0 ? named_.still : named_.objects[object - 1].body)->mesh().size();
-      for (std::uint32_t i = 0; i < size; ++i)
-      {
-        ids.push_back({ object, i });
-        triangles.push_back(scene.worldTriangle(ids.back()));
-      }
-    }
-    return RaySource(triangles, seed, ids);
-  }
 
   Hit bruteForceAll(const Ray& ray) const
   {
@@ -87,7 +55,7 @@ TEST_P(SceneLaw, AllModesFindWhatBruteForceFinds)
     scenes.emplace_back("mode " + name, named_.scene(mode));
     scenes.emplace_back("flattened for instanced, mode " + name, other.scene(mode));
   }
-  RaySource source = rays(kSeed);
+  RaySource source = test::raysAt(named_, kSeed);
   int hits = 0, wrong = 0;
   for (const RayKind kind : kRayKinds)
   {
@@ -108,7 +76,7 @@ TEST_P(SceneLaw, AllModesFindWhatBruteForceFinds)
         scene.cast(batch.data(), batch.size(), found.data());
         for (std::size_t i = 0; i < batch.size(); ++i)
         {
-          if (!haveSameBits(found[i], expected[i]) && ++wrong <= 5)
+          if (!isSameHit(found[i], expected[i]) && ++wrong <= 5)
           {
             ADD_FAILURE() << name << ", SIMD level " << static_cast<int>(level) << ", seed "
                           << kSeed << ", " << nameOf(kind) << " ray " << i << ": "
@@ -135,9 +103,9 @@ TEST_P(SceneLaw, SeesTheChosenObjectsOnly)
   {
     chosen[i + 1] = moved[i] = true;
   }
-  RaySource source = rays(kSeed);
+  RaySource source = test::raysAt(named_, kSeed);
   const Scene scene = named_.scene(TraversalMode::Sequential, moved, source.originBounds());
-  const SurfaceRecords records = recordsOf(named_);
+  const SurfaceRecords records = named_.records();
   const TriangleId first = records.numbers().idOf(0);
   int hits = 0;
   for (const RayKind kind : kRayKinds)
@@ -166,8 +134,8 @@ TEST_P(SceneLaw, SeesTheChosenObjectsOnly)
     {
       const std::string text = nameOf(kind) + (" ray " + std::to_string(i)) + ": " +
         exactly(batch[i]) + " with " + exactly(given[i]);
-      ASSERT_TRUE(haveSameBits(foundDynamic[i], inDynamic[i])) << text;
-      ASSERT_TRUE(haveSameBits(foundMoved[i], inMoved[i])) << text;
+      ASSERT_TRUE(isSameHit(foundDynamic[i], inDynamic[i])) << text;
+      ASSERT_TRUE(isSameHit(foundMoved[i], inMoved[i])) << text;
     }
   }
   EXPECT_GT(hits, kRays / 4);
@@ -179,7 +147,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Scene, WithoutMovedObjectsNothingIsHit)
 {
   const Scene scene = test::hardMaps().scene(TraversalMode::Parallel);
-  EXPECT_FALSE(test::hitOf(scene, recordsOf(test::hardMaps()), &FrontCast::castMoved,
+  EXPECT_FALSE(test::hitOf(scene, test::hardMaps().records(), &FrontCast::castMoved,
     { { 2, 1, 1 }, { 0, 0, 1 }, {} }, {}));
 }
 
@@ -251,7 +219,7 @@ TEST(Scene, DirectionsHaveAnyLength)
           ray.direction *= length;
           const Hit expected = bruteForce(named, ray, all);
           hits += expected ? 1 : 0;
-          ASSERT_TRUE(haveSameBits(scene.cast(ray), expected)) << nameOf(kind) << exactly(ray);
+          ASSERT_TRUE(isSameHit(scene.cast(ray), expected)) << nameOf(kind) << exactly(ray);
         }
       }
     }
@@ -272,7 +240,7 @@ TEST(Scene, BreaksTiesByObjectAndTriangle)
     for (const TraversalMode mode : kModes)
     {
       const Scene scene = both.scene(mode, { true, true });
-      const SurfaceRecords records = recordsOf(both);
+      const SurfaceRecords records = both.records();
       const auto moved = [&](const Ray& ray, const Hit& given) {
         return test::hitOf(scene, records, &FrontCast::castMoved, ray, given);
       };
@@ -348,7 +316,7 @@ TEST(Scene, ScalesExactly)
           EXPECT_EQ(q.normal, p.normal);
         }
         expected.distance *= factor;
-        ASSERT_TRUE(haveSameBits(found, expected)) << factor << ' ' << exactly(ray);
+        ASSERT_TRUE(isSameHit(found, expected)) << factor << ' ' << exactly(ray);
       }
     }
   }

@@ -3,6 +3,7 @@
 #define irradiance_test_TestScenes_h
 
 #include "Scene/Scene.h"
+#include "Scene/SurfaceRecords.h"
 
 #include "TestMeshes.h"
 
@@ -33,6 +34,12 @@ struct NamedScene
     made.setTraversalMode(mode);
     made.commit(moved);
     return made;
+  }
+  SurfaceRecords records() const
+  {
+    SurfaceRecords records;
+    records.update(still, objects);
+    return records;
   }
 };
 

@@ -3,8 +3,6 @@
 
 #include "Trees/SimpleShells.h"
 
-#include "Geometry/Pi.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Geometry/TriangleIntersection.h"
 
-#include "Kernels/IntersectionLanes.h"
+#include "Kernels/FrontStages.h"
 #include "RandomVectors.h"
 #include "TestSimdLevels.h"
 
@@ -198,7 +198,7 @@ TEST(TriangleIntersection, IsTheSameInLanes)
         lanes.set(lane, origin, target - origin, triangle);
         expected[lane] = meet(origin, target - origin, triangle);
       }
-      intersectAll(lanes);
+      frontStages().intersect(lanes);
       for (unsigned lane = 0; lane < IntersectionLanes::kSize; ++lane)
       {
         ASSERT_EQ(expected[lane].has_value(), !std::isnan(lanes.distance[lane]));

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BidirectionalTracer.h"
 
-#include "CellIrradiance.h"
-
 #include <algorithm>
 
 namespace pathtracedroom

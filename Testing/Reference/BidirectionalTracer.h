@@ -2,7 +2,7 @@
 #ifndef BidirectionalTracer_h
 #define BidirectionalTracer_h
 
-#include "CellPoints.h"
+#include "CellSensors.h"
 #include "Estimates.h"
 #include "Execution/Execution.h"
 #include "PathBatch.h"

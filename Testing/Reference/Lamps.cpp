@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Lamps.h"
 
-#include "Directions.h"
 #include "Surfaces.h"
 
 #include <algorithm>

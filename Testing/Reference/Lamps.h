@@ -2,7 +2,8 @@
 #ifndef Lamps_h
 #define Lamps_h
 
-#include "Departure.h"
+#include "PathVertex.h"
+#include "Random.h"
 #include "Surfaces/SceneObjects.h"
 
 #include <vector>

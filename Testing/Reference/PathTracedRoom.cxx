@@ -11,7 +11,7 @@
 #include "ReadScene.h"
 #include "RoomScene.h"
 
-#include "Pipeline/SmpExecution.h"
+#include "Pipeline/FilterRun.h"
 
 #include <vtkImageData.h>
 #include <vtkSMPTools.h>

@@ -9,6 +9,8 @@
 
 #include <Eigen/Core>
 
+#include <optional>
+
 namespace pathtracedroom
 {
 
@@ -91,6 +93,14 @@ inline double densityBack(const PathVertex& vertex, const Vector3& from, const P
 {
   return areaDensity(vertex.directionDensity(from, vertex.toPrevious), vertex, before);
 }
+
+/// The first vertex of a subpath and the unit direction in which the subpath leaves it. Without a
+/// direction it is reflected as everywhere on its way.
+struct Departure
+{
+  PathVertex vertex;
+  std::optional<Vector3> direction;
+};
 
 }
 

@@ -2,7 +2,8 @@
 #ifndef Sensor_h
 #define Sensor_h
 
-#include "Departure.h"
+#include "PathVertex.h"
+#include "Random.h"
 
 #include <cstddef>
 #include <optional>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Subpath.h"
 
-#include "Directions.h"
-
 #include <utility>
 
 namespace pathtracedroom

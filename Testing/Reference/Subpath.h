@@ -2,7 +2,8 @@
 #ifndef Subpath_h
 #define Subpath_h
 
-#include "Departure.h"
+#include "PathVertex.h"
+#include "Random.h"
 
 #include <optional>
 #include <vector>

@@ -9,13 +9,11 @@
 #include "../PhotonWalks/ThreadExecution.h"
 #include "BidirectionalTracer.h"
 #include "CameraRays.h"
-#include "CellIrradiance.h"
-#include "CellRadiance.h"
+#include "CellSensors.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <iostream>
 
 using namespace irradiance;
 using namespace pathtracedroom;
@@ -71,8 +69,6 @@ void expectAll(const Estimates& estimates, double truth, double precision, int b
     }
   }
   EXPECT_LE(estimates.standardError(last).maxCoeff(), precision * truth);
-  std::cout << "mean / true: " << (estimates.mean(last) / truth).transpose() << " +- "
-            << (estimates.standardError(last) / truth).transpose() << "\n";
 }
 
 void expectSame(const Estimates& a, const Estimates& b, const std::string& name)

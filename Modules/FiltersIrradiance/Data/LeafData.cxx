@@ -14,17 +14,6 @@ namespace irradiance
 namespace
 {
 
-void visitLeaves(vtkDataObjectTree* tree, bool withEmpty, const VisitLeaf& visit)
-{
-  const auto leaves = vtk::TakeSmartPointer(tree->NewTreeIterator());
-  leaves->VisitOnlyLeavesOn();
-  leaves->SetSkipEmptyNodes(withEmpty ? 0 : 1);
-  for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
-  {
-    visit(leaves);
-  }
-}
-
 vtkDataSet* dataSetOf(const std::string& name, vtkDataObject* data)
 {
   vtkDataSet* dataSet = vtkDataSet::SafeDownCast(data);
@@ -55,9 +44,15 @@ std::string leafName(vtkDataObjectTreeIterator* leaf)
   return name;
 }
 
-void forEachLeaf(vtkDataObjectTree* tree, const VisitLeaf& visit)
+void forEachLeaf(vtkDataObjectTree* tree, const VisitLeaf& visit, bool withEmpty)
 {
-  visitLeaves(tree, false, visit);
+  const auto leaves = vtk::TakeSmartPointer(tree->NewTreeIterator());
+  leaves->VisitOnlyLeavesOn();
+  leaves->SetSkipEmptyNodes(withEmpty ? 0 : 1);
+  for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+  {
+    visit(leaves);
+  }
 }
 
 std::vector<LeafData> leavesOf(vtkDataObject* data)
@@ -68,11 +63,12 @@ std::vector<LeafData> leavesOf(vtkDataObject* data)
     return { { "the input", 0, dataSetOf("all", data) } };
   }
   std::vector<LeafData> leaves;
-  visitLeaves(tree, true, [&](vtkDataObjectTreeIterator* leaf) {
+  const auto add = [&](vtkDataObjectTreeIterator* leaf) {
     const std::string name = leafName(leaf);
     leaves.push_back(
       { name, leaf->GetCurrentFlatIndex(), dataSetOf(name, leaf->GetCurrentDataObject()) });
-  });
+  };
+  forEachLeaf(tree, add, true);
   return leaves;
 }
 
@@ -85,13 +81,14 @@ vtkSmartPointer<vtkDataObject> snapshotOf(vtkDataObject* data)
   return copy;
 }
 
-void cloneLeaves(vtkDataObjectTree* tree)
+void copyLeaves(vtkDataObjectTree* tree, vtkDataObjectTree* copy)
 {
-  forEachLeaf(tree, [tree](vtkDataObjectTreeIterator* leaf) {
+  copy->ShallowCopy(tree);
+  forEachLeaf(copy, [copy](vtkDataObjectTreeIterator* leaf) {
     vtkDataObject* data = leaf->GetCurrentDataObject();
     const auto clone = vtk::TakeSmartPointer(data->NewInstance());
     clone->ShallowCopy(data);
-    tree->SetDataSet(leaf, clone);
+    copy->SetDataSet(leaf, clone);
   });
 }
 
@@ -110,12 +107,13 @@ void fillLeaves(vtkDataObject* input, vtkDataObject* output, const MakeLeaf& mak
   filled->CopyStructure(tree);
   filled->GetFieldData()->PassData(tree->GetFieldData());
   std::size_t i = 0;
-  visitLeaves(tree, true, [&](vtkDataObjectTreeIterator* place) {
+  const auto fill = [&](vtkDataObjectTreeIterator* place) {
     if (const auto leaf = make(i++))
     {
       filled->SetDataSet(place, leaf);
     }
-  });
+  };
+  forEachLeaf(tree, fill, true);
 }
 
 }

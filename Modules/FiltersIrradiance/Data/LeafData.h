@@ -26,9 +26,9 @@ struct LeafData
 /// As in "block 3 (Plate)".
 std::string leafName(vtkDataObjectTreeIterator* leaf);
 
-/// Calls visit(iterator) for all leaves of a tree, in order, without the empty ones.
+/// Calls visit(iterator) for all leaves of a tree, in order.
 using VisitLeaf = std::function<void(vtkDataObjectTreeIterator*)>;
-void forEachLeaf(vtkDataObjectTree* tree, const VisitLeaf& visit);
+void forEachLeaf(vtkDataObjectTree* tree, const VisitLeaf& visit, bool withEmpty = false);
 
 /// All leaves of data, in order, with the empty ones. Throws InputError if one is no vtkDataSet.
 std::vector<LeafData> leavesOf(vtkDataObject* data);
@@ -37,8 +37,8 @@ std::vector<LeafData> leavesOf(vtkDataObject* data);
 /// pipeline fills the original again.
 vtkSmartPointer<vtkDataObject> snapshotOf(vtkDataObject* data);
 
-/// Replaces the leaves of a tree by copies that share their cells and arrays.
-void cloneLeaves(vtkDataObjectTree* tree);
+/// Makes `copy` a tree with copies of the leaves of `tree` that share their cells and arrays.
+void copyLeaves(vtkDataObjectTree* tree, vtkDataObjectTree* copy);
 
 /// Fills `output` with the structure of `input` and, as the i-th leaf, what `make` returns for it.
 using MakeLeaf = std::function<vtkSmartPointer<vtkDataSet>(std::size_t i)>;

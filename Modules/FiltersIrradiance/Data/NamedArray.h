@@ -2,6 +2,9 @@
 #ifndef irradiance_NamedArray_h
 #define irradiance_NamedArray_h
 
+#include "Exposure/ReplicateSums.h"
+
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkSmartPointer.h"
 
@@ -32,6 +35,22 @@ void addTuple(vtkFieldData* fields, const std::string& name,
 {
   const auto array = addArray<Array>(fields, name, static_cast<int>(tuple.size()), 1);
   std::copy(tuple.begin(), tuple.end(), array->GetPointer(0));
+}
+
+/// The values of an array as doubles; they share it if it has doubles. Null for null.
+inline SharedValues valuesOf(vtkDataArray* array)
+{
+  if (!array)
+  {
+    return nullptr;
+  }
+  vtkSmartPointer<vtkDoubleArray> doubles = vtkDoubleArray::SafeDownCast(array);
+  if (!doubles)
+  {
+    doubles = vtkSmartPointer<vtkDoubleArray>::New();
+    doubles->DeepCopy(array);
+  }
+  return { doubles->GetPointer(0), [doubles](const double*) {} };
 }
 
 }

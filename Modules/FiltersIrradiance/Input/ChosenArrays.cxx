@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/ChosenArrays.h"
 
+#include "Input/InputConnection.h"
 #include "Progress/InputError.h"
 
 #include "vtkAlgorithm.h"
@@ -175,8 +176,7 @@ void findArrays(vtkAlgorithm* filter, InputPart& part)
   noteNearNames(filter, part);
 }
 
-void checkChosenArrays(vtkAlgorithm* filter, const std::vector<InputConnection>& statics,
-  const std::vector<InputConnection>& dynamics)
+void checkChosenArrays(vtkAlgorithm* filter, const SceneInputs& inputs)
 {
   for (const MaterialArrayRole& role : kArrayRoles)
   {
@@ -192,46 +192,32 @@ void checkChosenArrays(vtkAlgorithm* filter, const std::vector<InputConnection>&
         (association == vtkDataObject::FIELD_ASSOCIATION_POINTS ? "points" : "field data") +
         "; only cell arrays can be read");
     }
-    bool hasParts = false, isFound = false;
-    for (const auto* connections : { &statics, &dynamics })
-    {
-      for (const InputConnection& connection : *connections)
-      {
-        for (const InputPart& part : connection.parts)
-        {
-          hasParts = true;
-          isFound = isFound || findArray(filter, role, part.polyData->GetCellData());
-        }
-      }
-    }
-    if (hasParts && !isFound && !isDefault(filter, role) && !isNone(filter, role))
+    const auto parts = allPartsOf(inputs);
+    const auto hasArray = [&](const InputPart* part) {
+      return findArray(filter, role, part->polyData->GetCellData()) != nullptr;
+    };
+    if (!parts.empty() && std::none_of(parts.begin(), parts.end(), hasArray) &&
+      !isDefault(filter, role) && !isNone(filter, role))
     {
       throw InputError(choice + " is not among the cell arrays of any input");
     }
   }
 }
 
-std::string noLightWarning(vtkAlgorithm* filter, const std::vector<InputConnection>& statics,
-  const std::vector<InputConnection>& dynamics)
+std::string noLightWarning(vtkAlgorithm* filter, const SceneInputs& inputs)
 {
   std::string unread;
   int parts = 0;
   constexpr int mostParts = 10;
-  for (const auto* connections : { &statics, &dynamics })
+  for (const InputPart* part : allPartsOf(inputs))
   {
-    for (const InputConnection& connection : *connections)
+    const std::vector<std::string> names = unreadArrays(*part);
+    for (std::size_t i = 0; i < names.size() && parts < mostParts; ++i)
     {
-      for (const InputPart& part : connection.parts)
-      {
-        const std::vector<std::string> names = unreadArrays(part);
-        for (std::size_t i = 0; i < names.size() && parts < mostParts; ++i)
-        {
-          unread +=
-            (i > 0 ? ", " : (unread.empty() ? "" : "; ") + part.name + ": ") + quoted(names[i]);
-        }
-        parts += names.empty() ? 0 : 1;
-      }
+      unread +=
+        (i > 0 ? ", " : (unread.empty() ? "" : "; ") + part->name + ": ") + quoted(names[i]);
     }
+    parts += names.empty() ? 0 : 1;
   }
   return "the scene has no light: no surface with a cell array " + lightName(filter, Exitance) +
     " above 0, and no vertex with a " + lightName(filter, Flux) +

@@ -164,13 +164,15 @@ std::vector<CoveredLamps> findCoveredLamps(
   for (const auto& [key, part] : parts)
   {
     cancelPoint();
-    if (!targets.points.empty())
+    if (targets.points.empty())
     {
-      covered.push_back(measured(engine, part, lamps, targets, count));
+      continue;
+    }
+    if (const auto its = measured(engine, part, lamps, targets, count); its.covered >= kMuchCovered)
+    {
+      covered.push_back(its);
     }
   }
-  const auto isFree = [](const CoveredLamps& its) { return its.covered < kMuchCovered; };
-  covered.erase(std::remove_if(covered.begin(), covered.end(), isFree), covered.end());
   return covered;
 }
 

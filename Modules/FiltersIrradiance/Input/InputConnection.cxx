@@ -2,7 +2,6 @@
 #include "Input/InputConnection.h"
 
 #include "Data/LeafData.h"
-#include "Input/ChosenArrays.h"
 #include "Input/Pose.h"
 #include "Progress/InputError.h"
 
@@ -10,7 +9,12 @@
 #include "vtkDataObjectTree.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
+#include "vtkInformationObjectBaseKey.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <numeric>
 
 namespace irradiance
 {
@@ -18,13 +22,18 @@ namespace irradiance
 namespace
 {
 
-InputPart partOf(vtkAlgorithm* filter, const std::string& name, vtkPolyData* polyData)
+vtkInformationObjectBaseKey* originKey()
 {
-  InputPart part;
-  part.name = name;
-  part.polyData = part.piece = polyData;
-  findArrays(filter, part);
-  return part;
+  static auto* const key = new vtkInformationObjectBaseKey("GEOMETRY_ORIGIN", "vtkKeyFramedPose");
+  return key;
+}
+
+/// A filter may copy the note to an output with other geometry; then it is not valid.
+bool isSameGeometry(vtkPolyData* a, vtkPolyData* b)
+{
+  return a->GetPoints() == b->GetPoints() && a->GetVerts() == b->GetVerts() &&
+    a->GetLines() == b->GetLines() && a->GetPolys() == b->GetPolys() &&
+    a->GetStrips() == b->GetStrips() && a->GetCellGhostArray() == b->GetCellGhostArray();
 }
 
 InputConnection connectionOf(vtkAlgorithm* filter, int port, int index, vtkDataObject* data)
@@ -40,7 +49,11 @@ InputConnection connectionOf(vtkAlgorithm* filter, int port, int index, vtkDataO
         "; only vtkPolyData can be computed (vtkGeometryFilter makes one of most data, in ParaView "
         "the filter Extract Surface)");
     }
-    connection.parts.push_back(partOf(filter, name, polyData));
+    InputPart part;
+    part.name = name;
+    part.polyData = part.piece = polyData;
+    findArrays(filter, part);
+    connection.parts.push_back(part);
   };
   if (vtkDataObjectTree* tree = vtkDataObjectTree::SafeDownCast(data))
   {
@@ -119,6 +132,54 @@ InputConnection dynamicConnection(vtkAlgorithm* filter, int index, vtkDataObject
     addInnerPoses(connection, innerPose);
   }
   return connection;
+}
+
+void notePassedGeometry(vtkPolyData* output, vtkPolyData* input)
+{
+  output->GetInformation()->Set(originKey(), originOfGeometry(input));
+}
+
+vtkPolyData* originOfGeometry(vtkPolyData* polyData)
+{
+  vtkInformation* info = polyData->GetInformation();
+  auto* origin =
+    info->Has(originKey()) ? vtkPolyData::SafeDownCast(info->Get(originKey())) : nullptr;
+  return origin && isSameGeometry(origin, polyData) ? origin : polyData;
+}
+
+void InputWarnings::add(const InputWarning& warning)
+{
+  auto kind = std::find_if(kinds_.begin(), kinds_.end(),
+    [&](const auto& some) { return some.first.what == warning.what; });
+  if (kind == kinds_.end())
+  {
+    kind = kinds_.insert(kind, { warning, {} });
+  }
+  kind->second[warning.input] = warning.cells;
+}
+
+std::vector<std::string> InputWarnings::take()
+{
+  std::vector<std::string> texts;
+  for (const auto& [first, cells] : std::exchange(kinds_, {}))
+  {
+    const bool isOfCells = first.cells > 0;
+    std::string text =
+      first.input + (isOfCells ? ": " + std::to_string(first.cells) + " cells " : "") + first.what;
+    if (isOfCells)
+    {
+      text += ", the first is cell " + std::to_string(first.firstCell) + "; " + first.consequence;
+    }
+    if (cells.size() > 1)
+    {
+      const vtkIdType all = std::accumulate(cells.begin(), cells.end(), vtkIdType{},
+        [](vtkIdType sum, const auto& some) { return sum + some.second; });
+      text += " (there are " + std::to_string(cells.size()) + " such inputs" +
+        (isOfCells ? ", with " + std::to_string(all) + " such cells" : "") + ")";
+    }
+    texts.push_back(text);
+  }
+  return texts;
 }
 
 }

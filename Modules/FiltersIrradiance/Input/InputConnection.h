@@ -3,11 +3,12 @@
 #define irradiance_InputConnection_h
 
 #include "Geometry/Vector.h"
-#include "Input/InputWarning.h"
-#include "Input/MaterialArrays.h"
+#include "Input/ChosenArrays.h"
 #include "Input/PartCells.h"
 
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkAbstractArray;
@@ -18,6 +19,16 @@ class vtkPolyData;
 
 namespace irradiance
 {
+
+/// About an input that can be computed all the same.
+struct InputWarning
+{
+  std::string input; ///< its name
+  std::string what;  ///< follows the name, the same for all such inputs
+  /// If it is about some of its cells: `what` follows their number, and this their first.
+  std::string consequence{};
+  vtkIdType cells = 0, firstCell = -1;
+};
 
 /// One polydata of the scene: the data of a connection, or a leaf of a composite one.
 struct InputPart
@@ -40,20 +51,35 @@ struct InputConnection
   std::vector<InputPart> parts;
 };
 
-/// Calls visit(part) for the parts of the static connections, then of the dynamic ones, in order.
-template <class Connections, class Visit>
-void forEachPart(Connections& statics, Connections& dynamics, const Visit& visit)
+/// What the filter's input ports have: port 0 what is static, port 1 what is dynamic.
+struct SceneInputs
 {
-  for (auto* connections : { &statics, &dynamics })
+  std::vector<InputConnection> statics, dynamics;
+};
+
+/// The parts of connections, in order.
+template <class Connections>
+auto partsOf(Connections& connections)
+{
+  std::vector<decltype(connections.front().parts.data())> parts;
+  for (auto& connection : connections)
   {
-    for (auto& connection : *connections)
+    for (auto& part : connection.parts)
     {
-      for (auto& part : connection.parts)
-      {
-        visit(part);
-      }
+      parts.push_back(&part);
     }
   }
+  return parts;
+}
+
+/// All parts: the static ones, then the dynamic ones.
+template <class Inputs>
+auto allPartsOf(Inputs& inputs)
+{
+  auto parts = partsOf(inputs.statics);
+  const auto dynamics = partsOf(inputs.dynamics);
+  parts.insert(parts.end(), dynamics.begin(), dynamics.end());
+  return parts;
 }
 
 /// A static connection. Throws InputError for a leaf that is no polydata.
@@ -68,6 +94,29 @@ InputConnection staticConnection(vtkAlgorithm* filter, int index, vtkDataObject*
  */
 InputConnection dynamicConnection(vtkAlgorithm* filter, int index, vtkDataObject* data,
   vtkLinearTransform* transform, const char* innerPose);
+
+/// Notes in `output` that it shares the points, cells and arrays of `input`, so that a reader who
+/// knows `input` need not read `output`, which is newer in each time step. Copies do not have the
+/// note.
+void notePassedGeometry(vtkPolyData* output, vtkPolyData* input);
+
+/// The polydata from which the geometry was passed on, through several filters perhaps; `polyData`
+/// itself if there is no note.
+vtkPolyData* originOfGeometry(vtkPolyData* polyData);
+
+/// Says once what is the same for many inputs, naming the first and how many there are.
+class InputWarnings
+{
+public:
+  /// Of an input that is read again, the same warning counts once.
+  void add(const InputWarning& warning);
+  /// A text for each kind of warning since the last call.
+  std::vector<std::string> take();
+
+private:
+  /// The first of each kind, and how many cells it is about, by input.
+  std::vector<std::pair<InputWarning, std::map<std::string, vtkIdType>>> kinds_;
+};
 
 }
 

@@ -4,6 +4,7 @@
 #include "Input/Pose.h"
 #include "Progress/InputError.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -112,12 +113,8 @@ public:
   bool has(const std::string& column) const { return columns_.count(column) > 0; }
   bool hasAny(const std::vector<std::string>& columns) const
   {
-    bool any = false;
-    for (const std::string& column : columns)
-    {
-      any = any || has(column);
-    }
-    return any;
+    return std::any_of(
+      columns.begin(), columns.end(), [this](const std::string& column) { return has(column); });
   }
   /// Throws InputError if one is not there.
   void require(const std::vector<std::string>& columns) const
@@ -174,46 +171,6 @@ std::string matrixColumn(int row, int column)
   return "m" + std::to_string(row) + std::to_string(column);
 }
 
-enum class Form
-{
-  Position,
-  Degrees,
-  Quaternion,
-  Matrix
-};
-
-Form formOf(const Table& table)
-{
-  const std::vector<std::string> place{ "x", "y", "z" }, degrees{ "rx", "ry", "rz" },
-    quaternion{ "qw", "qx", "qy", "qz" };
-  std::vector<std::string> matrix(12);
-  for (int i = 0; i < 12; ++i)
-  {
-    matrix[static_cast<std::size_t>(i)] = matrixColumn(i / 4, i % 4);
-  }
-  table.require({ "time" });
-  const bool hasDegrees = table.hasAny(degrees), hasQuaternion = table.hasAny(quaternion);
-  if (table.hasAny(matrix))
-  {
-    if (table.hasAny(place) || hasDegrees || hasQuaternion)
-    {
-      throw InputError(table.where() +
-        ": there are columns of a matrix and others of a position or "
-        "a rotation; which are meant?");
-    }
-    table.require(matrix);
-    return Form::Matrix;
-  }
-  table.require(place);
-  if (hasDegrees && hasQuaternion)
-  {
-    throw InputError(
-      table.where() + ": there are columns of angles and of a quaternion; which are meant?");
-  }
-  table.require(hasDegrees ? degrees : hasQuaternion ? quaternion : place);
-  return hasDegrees ? Form::Degrees : hasQuaternion ? Form::Quaternion : Form::Position;
-}
-
 AffineMap readMatrix(const Table& table)
 {
   double matrix[16] = { 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1 };
@@ -238,23 +195,50 @@ AffineMap readQuaternion(const Table& table)
     table.values({ "x", "y", "z" }) };
 }
 
-AffineMap readPose(const Table& table, Form form)
+AffineMap readDegrees(const Table& table)
 {
-  switch (form)
-  {
-    case Form::Matrix:
-      return readMatrix(table);
-    case Form::Quaternion:
-      return readQuaternion(table);
-    case Form::Degrees:
-      return poseOf(table.where(),
-        propMatrix(
-          table.values({ "x", "y", "z" }).data(), table.values({ "rx", "ry", "rz" }).data())
-          .data());
-    case Form::Position:
-      break;
-  }
+  const Vector3 place = table.values({ "x", "y", "z" }), turns = table.values({ "rx", "ry", "rz" });
+  return poseOf(table.where(), propMatrix(place.data(), turns.data()).data());
+}
+
+AffineMap readPosition(const Table& table)
+{
   return { Matrix3::Identity(), table.values({ "x", "y", "z" }) };
+}
+
+using ReadPose = AffineMap (*)(const Table&);
+
+/// How the columns of the table tell a pose.
+ReadPose readerFor(const Table& table)
+{
+  const std::vector<std::string> place{ "x", "y", "z" }, degrees{ "rx", "ry", "rz" },
+    quaternion{ "qw", "qx", "qy", "qz" };
+  std::vector<std::string> matrix(12);
+  for (int i = 0; i < 12; ++i)
+  {
+    matrix[static_cast<std::size_t>(i)] = matrixColumn(i / 4, i % 4);
+  }
+  table.require({ "time" });
+  const bool hasDegrees = table.hasAny(degrees), hasQuaternion = table.hasAny(quaternion);
+  if (table.hasAny(matrix))
+  {
+    if (table.hasAny(place) || hasDegrees || hasQuaternion)
+    {
+      throw InputError(table.where() +
+        ": there are columns of a matrix and others of a position or "
+        "a rotation; which are meant?");
+    }
+    table.require(matrix);
+    return readMatrix;
+  }
+  table.require(place);
+  if (hasDegrees && hasQuaternion)
+  {
+    throw InputError(
+      table.where() + ": there are columns of angles and of a quaternion; which are meant?");
+  }
+  table.require(hasDegrees ? degrees : hasQuaternion ? quaternion : place);
+  return hasDegrees ? readDegrees : hasQuaternion ? readQuaternion : readPosition;
 }
 
 }
@@ -263,14 +247,14 @@ std::vector<KeyFrame> readKeyFrames(
   const std::string& fileName, const std::function<void(double)>& report)
 {
   Table table(fileName);
-  const Form form = formOf(table);
+  const ReadPose readPose = readerFor(table);
   const CancelPoint cancelPoint = [&] { report(table.progress()); };
   ThrottledCancelPoint pace(cancelPoint);
   std::vector<KeyFrame> keys;
   while (table.next())
   {
     pace.step();
-    keys.push_back({ table.where(), table.value("time"), readPose(table, form) });
+    keys.push_back({ table.where(), table.value("time"), readPose(table) });
   }
   return keys;
 }

@@ -4,7 +4,9 @@
 
 #include "Surfaces/SceneCell.h"
 
-#include "vtkType.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkSmartPointer.h"
 
 #include <memory>
 #include <vector>
@@ -27,6 +29,20 @@ struct PartCells
     return { first.object, first.cell + (piece ? (*piece)[cell] : cell) };
   }
 };
+
+/// Calls visit(number of points, their ids) for all cells.
+template <class Visit>
+void forEachCell(vtkCellArray* cells, const Visit& visit)
+{
+  const auto it = vtk::TakeSmartPointer(cells->NewIterator());
+  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  {
+    vtkIdType count;
+    const vtkIdType* ids;
+    it->GetCurrentCell(count, ids);
+    visit(count, ids);
+  }
+}
 
 }
 

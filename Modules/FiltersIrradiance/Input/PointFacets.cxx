@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/PointFacets.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,18 +43,9 @@ template <class Visit>
 void forEachPolygon(vtkPolyData* surface, const Visit& visit)
 {
   vtkIdType cell = surface->GetNumberOfVerts() + surface->GetNumberOfLines(); // these come first
-  vtkIdType size;
-  const vtkIdType* ids;
-  auto cells = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
-  {
-    cells->GetCurrentCell(size, ids);
-    visit(cell++, size, ids);
-  }
-  cells = vtk::TakeSmartPointer(surface->GetStrips()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
-  {
-    cells->GetCurrentCell(size, ids);
+  forEachCell(
+    surface->GetPolys(), [&](vtkIdType size, const vtkIdType* ids) { visit(cell++, size, ids); });
+  forEachCell(surface->GetStrips(), [&](vtkIdType size, const vtkIdType* ids) {
     for (vtkIdType i = 0; i + 2 < size; ++i)
     {
       // Every second one is turned over.
@@ -65,7 +53,7 @@ void forEachPolygon(vtkPolyData* surface, const Visit& visit)
       visit(cell, 3, triangle);
     }
     ++cell;
-  }
+  });
 }
 
 /// A polygon, to look at its corners.

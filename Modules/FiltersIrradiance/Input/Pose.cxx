@@ -125,12 +125,17 @@ bool hasFieldPose(vtkFieldData* fields)
   return !isMatrix || matrixOf("", array) != Matrix4::Identity();
 }
 
+std::array<double, 16> matrixOf(const AffineMap& map)
+{
+  std::array<double, 16> rowByRow;
+  Eigen::Map<Matrix4> matrix(rowByRow.data());
+  matrix << map.linear, map.translation, 0, 0, 0, 1;
+  return rowByRow;
+}
+
 AffineMap checkedPose(const std::string& where, const AffineMap& map)
 {
-  Matrix4 matrix = Matrix4::Identity();
-  matrix.topLeftCorner<3, 3>() = map.linear;
-  matrix.topRightCorner<3, 1>() = map.translation;
-  return mapOf(where, matrix);
+  return poseOf(where, matrixOf(map).data());
 }
 
 AffineMap composed(const AffineMap& outer, const AffineMap& inner)

@@ -34,9 +34,10 @@ AffineMap poseOf(
 /// Whether the field data hold anything but the identity as a pose.
 bool hasFieldPose(vtkFieldData* fields);
 
+/// The matrix of a map, row by row.
+std::array<double, 16> matrixOf(const AffineMap& map);
 /// Returns `map`. Throws InputError, naming `where`, if it is not invertible.
 AffineMap checkedPose(const std::string& where, const AffineMap& map);
-
 /// First `inner`, then `outer`. If one is the identity, the result has the bits of the other.
 AffineMap composed(const AffineMap& outer, const AffineMap& inner);
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/SceneReader.h"
 
-#include "Geometry/MovedBox.h"
-#include "Input/GeometryOrigin.h"
 #include "Progress/InputError.h"
 
 #include "vtkDataArray.h"
@@ -60,7 +58,7 @@ void checkReach(const std::string& where, const AffineMap& map, const Box& box)
     (map.linear.cwiseAbs() * box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs()) +
       map.translation.cwiseAbs())
       .maxCoeff();
-  if (!(reach <= PolyDataConverter::kMostDistant))
+  if (!(reach <= kMostDistant))
   {
     throw InputError(where + ": the transform takes points out of range, to " + text(reach) + " m");
   }
@@ -85,54 +83,37 @@ void checkDigits(const SceneObjects& objects)
 
 }
 
-SceneReader::Parts SceneReader::partsOf(const std::vector<InputConnection>& connections)
-{
-  Parts parts;
-  for (const InputConnection& connection : connections)
-  {
-    for (const InputPart& part : connection.parts)
-    {
-      parts.push_back(&part);
-    }
-  }
-  return parts;
-}
-
 SceneReader::Stamp SceneReader::stampOf(const InputPart& part)
 {
   vtkPolyData* origin = originOfGeometry(part.polyData);
   return { origin, part.arrays, origin->GetMTime(), part.worldFromPart.linear.determinant() < 0 };
 }
 
-int SceneReader::countBands(const std::vector<InputConnection>& staticConnections,
-  const std::vector<InputConnection>& dynamicConnections)
+int SceneReader::countBands(const SceneInputs& inputs)
 {
   int bands = 1;
-  for (const auto* connections : { &staticConnections, &dynamicConnections })
+  for (const InputPart* part : allPartsOf(inputs))
   {
-    for (const InputPart* part : partsOf(*connections))
+    for (std::size_t i = 0; i < part->arrays.size(); ++i)
     {
-      for (std::size_t i = 0; i < part->arrays.size(); ++i)
-      {
-        vtkAbstractArray* array = part->arrays[i];
-        bands = i != Exponent && array && array->GetNumberOfComponents() == 3 ? 3 : bands;
-      }
+      vtkAbstractArray* array = part->arrays[i];
+      bands = i != Exponent && array && array->GetNumberOfComponents() == 3 ? 3 : bands;
     }
   }
   return bands;
 }
 
-void SceneReader::read(const std::vector<InputConnection>& staticConnections,
-  const std::vector<InputConnection>& dynamicConnections, double defaultReflectance,
-  const CancelPoint& cancelPoint)
+void SceneReader::read(
+  const SceneInputs& inputs, double defaultReflectance, const CancelPoint& cancelPoint)
 {
-  const Parts staticParts = partsOf(staticConnections), dynamicParts = partsOf(dynamicConnections);
-  const Settings settings{ countBands(staticConnections, dynamicConnections), defaultReflectance };
-  if (settings != settings_)
+  const auto staticParts = partsOf(inputs.statics), dynamicParts = partsOf(inputs.dynamics);
+  const int bands = countBands(inputs);
+  if (bands != bands_ || defaultReflectance != defaultReflectance_)
   {
     staticStamps_.reset();
     dynamicStamps_.clear();
-    settings_ = settings;
+    bands_ = bands;
+    defaultReflectance_ = defaultReflectance;
   }
   hasNews_ = hasNews_ || dynamicStamps_.size() != dynamicParts.size();
   dynamicStamps_.resize(dynamicParts.size());
@@ -159,10 +140,9 @@ void SceneReader::convert(
   MaterialArrays<vtkDataArray> arrays;
   std::transform(part.arrays.begin(), part.arrays.end(), arrays.begin(),
     [&](vtkAbstractArray* array) { return asNumbers(array, part.name); });
-  for (const auto& warnings : { part.warnings,
-         PolyDataConverter(
-           part.name, part.polyData, arrays, settings_.defaultReflectance, target, cancelPoint)
-           .convert() })
+  for (const auto& warnings :
+    { part.warnings,
+      convertPolyData(part.name, part.polyData, arrays, defaultReflectance_, target, cancelPoint) })
   {
     for (const InputWarning& warning : warnings)
     {
@@ -171,7 +151,8 @@ void SceneReader::convert(
   }
 }
 
-void SceneReader::readStatic(const Parts& staticParts, const CancelPoint& cancelPoint)
+void SceneReader::readStatic(
+  const std::vector<const InputPart*>& staticParts, const CancelPoint& cancelPoint)
 {
   std::vector<Stamp> stamps;
   std::transform(staticParts.begin(), staticParts.end(), std::back_inserter(stamps),
@@ -182,7 +163,7 @@ void SceneReader::readStatic(const Parts& staticParts, const CancelPoint& cancel
   }
   hasNews_ = true;
   staticStamps_.reset(); // until all is read
-  ConvertedPolyData all(settings_.bands);
+  ConvertedPolyData all(bands_);
   std::vector<vtkPolyData*> inputs;
   std::transform(staticParts.begin(), staticParts.end(), std::back_inserter(inputs),
     [](const InputPart* part) { return part->polyData; });
@@ -192,7 +173,6 @@ void SceneReader::readStatic(const Parts& staticParts, const CancelPoint& cancel
     all.material.firstCellOfPart.push_back(all.material.numberOfCells);
     convert(*part, all, cancelPoint);
   }
-  firstCell_ = all.material.firstCellOfPart;
   adopt(std::move(all), objects_.staticObject, false, cancelPoint);
   staticStamps_ = std::move(stamps);
 }
@@ -203,7 +183,7 @@ void SceneReader::readDynamic(
   SceneObject& object = objects_.dynamicObjects[index];
   const bool wasPresent = std::exchange(object.isPresent, part.polyData->GetNumberOfCells() > 0);
   hasNews_ = hasNews_ || object.isPresent != wasPresent;
-  if (!object.isPresent && object.material && object.material->bands == settings_.bands)
+  if (!object.isPresent && object.material && object.material->bands == bands_)
   {
     return; // its body and material stay: the object may come back unchanged
   }
@@ -211,7 +191,7 @@ void SceneReader::readDynamic(
   if (!(dynamicStamps_[index] == stamp))
   {
     dynamicStamps_[index].reset(); // until all is read
-    ConvertedPolyData data(settings_.bands);
+    ConvertedPolyData data(bands_);
     data.reserve({ part.polyData });
     convert(part, data, cancelPoint);
     if (stamp.isMirrored)
@@ -254,16 +234,24 @@ void SceneReader::adopt(
   }
 }
 
-std::string SceneReader::nameOf(const SceneCell& cell,
-  const std::vector<InputConnection>& staticConnections,
-  const std::vector<InputConnection>& dynamicConnections) const
+SceneCell SceneReader::firstCellOf(std::size_t part) const
 {
-  const bool isStatic = cell.object == 0;
-  const std::size_t part =
-    isStatic ? objects_.staticObject.material->partOfCell(cell.cell) - 1 : cell.object - 1;
-  const std::size_t first = isStatic ? firstCell_[part] : 0;
-  return partsOf(isStatic ? staticConnections : dynamicConnections)[part]->name + ", cell " +
-    std::to_string(cell.cell - first);
+  return part < numberOfStatics()
+    ? SceneCell{ 0, firstCells()[part] }
+    : SceneCell{ static_cast<std::uint32_t>(part - numberOfStatics() + 1), 0 };
+}
+
+std::size_t SceneReader::partOf(const SceneCell& cell) const
+{
+  return cell.object == 0 ? objects_.staticObject.material->partOfCell(cell.cell) - 1
+                          : numberOfStatics() + cell.object - 1;
+}
+
+std::string SceneReader::nameOf(const SceneCell& cell, const SceneInputs& inputs) const
+{
+  const std::size_t part = partOf(cell);
+  return allPartsOf(inputs)[part]->name + ", cell " +
+    std::to_string(cell.cell - firstCellOf(part).cell);
 }
 
 }

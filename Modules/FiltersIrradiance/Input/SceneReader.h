@@ -9,7 +9,6 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <array>
 #include <optional>
 
 namespace irradiance
@@ -26,24 +25,24 @@ namespace irradiance
 class SceneReader
 {
 public:
-  /// All parts of the static connections make up object 0; each part of the dynamic ones is an
-  /// object of its own, in order. Throws InputError. Afterwards objects() is the scene; after an
-  /// exception it is what it was, or partly new.
-  void read(const std::vector<InputConnection>& staticConnections,
-    const std::vector<InputConnection>& dynamicConnections, double defaultReflectance,
-    const CancelPoint& cancelPoint);
+  /// All static parts make up object 0; each dynamic part is an object of its own, in order. Throws
+  /// InputError. Afterwards objects() is the scene; after an exception it is what it was, or partly
+  /// new.
+  void read(const SceneInputs& inputs, double defaultReflectance, const CancelPoint& cancelPoint);
 
   const SceneObjects& objects() const { return objects_; }
-  int bands() const { return settings_.bands; }
+  int bands() const { return bands_; }
   /// What bands() is after reading these: 3 if an array has three components, else 1.
-  static int countBands(const std::vector<InputConnection>& staticConnections,
-    const std::vector<InputConnection>& dynamicConnections);
-  /// Number of the first cell of a static part among the cells of object 0.
-  std::size_t firstCellOfStatic(std::size_t part) const { return firstCell_[part]; }
-  /// What messages call a cell, as in "input port 0, connection 1, cell 3". The connections are
-  /// those that were read.
-  std::string nameOf(const SceneCell& cell, const std::vector<InputConnection>& staticConnections,
-    const std::vector<InputConnection>& dynamicConnections) const;
+  static int countBands(const SceneInputs& inputs);
+  /// How many parts are static.
+  std::size_t numberOfStatics() const { return firstCells().size(); }
+  /// The first cell of a part, by its number among all: the static ones, then the dynamic ones.
+  SceneCell firstCellOf(std::size_t part) const;
+  /// To which of these a cell belongs.
+  std::size_t partOf(const SceneCell& cell) const;
+  /// What messages call a cell, as in "input port 0, connection 1, cell 3". The inputs are what was
+  /// read.
+  std::string nameOf(const SceneCell& cell, const SceneInputs& inputs) const;
   /// New warnings since the last call, about inputs that can be computed all the same.
   std::vector<std::string> takeWarnings() { return warnings_.take(); }
   /// Whether anything but poses has changed since forgetNews(): cells, materials, parts that are
@@ -52,16 +51,6 @@ public:
   void forgetNews() { hasNews_ = false; }
 
 private:
-  struct Settings
-  {
-    int bands = 1;
-    double defaultReflectance = 0.5;
-    bool operator!=(const Settings& other) const
-    {
-      return bands != other.bands || defaultReflectance != other.defaultReflectance;
-    }
-  };
-
   /// An input as it was when it was read. The polydata is held so that its address is not reused.
   struct Stamp
   {
@@ -76,21 +65,22 @@ private:
     }
   };
 
-  using Parts = std::vector<const InputPart*>;
-
-  static Parts partsOf(const std::vector<InputConnection>& connections);
   static Stamp stampOf(const InputPart& part);
+  const std::vector<std::size_t>& firstCells() const
+  {
+    return objects_.staticObject.material->firstCellOfPart;
+  }
   void convert(const InputPart& part, ConvertedPolyData& target, const CancelPoint& cancelPoint);
-  void readStatic(const Parts& parts, const CancelPoint& cancelPoint);
+  void readStatic(const std::vector<const InputPart*>& parts, const CancelPoint& cancelPoint);
   void readDynamic(const InputPart& part, std::size_t index, const CancelPoint& cancelPoint);
   void adopt(
     ConvertedPolyData data, SceneObject& object, bool mayMove, const CancelPoint& cancelPoint);
 
-  Settings settings_;
+  int bands_ = 1;
+  double defaultReflectance_ = 0.5;
   std::optional<std::vector<Stamp>> staticStamps_; ///< none: to be read
   std::vector<std::optional<Stamp>> dynamicStamps_;
   SceneObjects objects_;
-  std::vector<std::size_t> firstCell_;
   InputWarnings warnings_;
   bool hasNews_ = false;
 };

@@ -46,14 +46,16 @@ vtkSmartPointer<vtkPolyData> withoutCells(vtkPolyData* polyData)
   return empty;
 }
 
-void emptyLeaves(vtkDataObjectTree* tree, const std::function<void(vtkPolyData*)>& add)
+void emptyLeaves(
+  vtkDataObjectTree* tree, vtkDataObjectTree* empty, const std::function<void(vtkPolyData*)>& add)
 {
-  forEachLeaf(tree, [&](vtkDataObjectTreeIterator* leaf) {
+  empty->ShallowCopy(tree);
+  forEachLeaf(empty, [&](vtkDataObjectTreeIterator* leaf) {
     if (auto* polyData = vtkPolyData::SafeDownCast(leaf->GetCurrentDataObject()))
     {
-      const auto empty = withoutCells(polyData);
-      add(empty);
-      tree->SetDataSet(leaf, empty);
+      const auto bare = withoutCells(polyData);
+      add(bare);
+      empty->SetDataSet(leaf, bare);
     }
   });
 }
@@ -61,8 +63,10 @@ void emptyLeaves(vtkDataObjectTree* tree, const std::function<void(vtkPolyData*)
 namespace
 {
 
-/// The first polydata of a tree, or the polydata itself; null if there is none.
-vtkPolyData* firstPolyData(vtkDataObject* data)
+/// The array of the irradiance in polydata, or in the first leaf of a tree of them, or of what
+/// `nameOf` makes of that name; null if there is none.
+template <class NameOf>
+vtkDataArray* findArray(vtkDataObject* data, const NameOf& nameOf)
 {
   vtkPolyData* first = vtkPolyData::SafeDownCast(data);
   if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
@@ -71,20 +75,12 @@ vtkPolyData* firstPolyData(vtkDataObject* data)
       first = first ? first : vtkPolyData::SafeDownCast(leaf->GetCurrentDataObject());
     });
   }
-  return first;
-}
-
-/// Its array of the irradiance, or of what `nameOf` makes of that name; null if there is none.
-template <class NameOf>
-vtkDataArray* findArray(vtkDataObject* data, const NameOf& nameOf)
-{
-  vtkPolyData* polyData = firstPolyData(data);
   vtkDataArray* found = nullptr;
   for (const char* suffix : kSideSuffixes)
   {
-    found = found || !polyData
+    found = found || !first
       ? found
-      : polyData->GetCellData()->GetArray(nameOf(irradianceName(suffix)).c_str());
+      : first->GetCellData()->GetArray(nameOf(irradianceName(suffix)).c_str());
   }
   return found;
 }

@@ -11,8 +11,8 @@ class vtkDataObjectTree;
 class vtkDataSet;
 class vtkPolyData;
 
-/// What outputs are where they have no cells, see PieceRequest.h. What reads their arrays by name,
-/// or counts bands, finds the same as elsewhere.
+/// What outputs are where they have no cells, see isEmptyPieceRequested(). What reads their arrays
+/// by name, or counts bands, finds the same as elsewhere.
 namespace irradiance
 {
 
@@ -25,8 +25,9 @@ void removeElements(vtkDataObject* data);
 /// Polydata with the arrays of another, without points and cells.
 vtkSmartPointer<vtkPolyData> withoutCells(vtkPolyData* polyData);
 
-/// Replaces the polydata of a tree by ones without cells; add() gives each further arrays.
-void emptyLeaves(vtkDataObjectTree* tree, const std::function<void(vtkPolyData*)>& add);
+/// Makes `empty` a tree with polydata without cells; add() gives each further arrays.
+void emptyLeaves(
+  vtkDataObjectTree* tree, vtkDataObjectTree* empty, const std::function<void(vtkPolyData*)>& add);
 
 /// Number of components that the irradiance has in polydata, or in the first leaf of a tree of
 /// them; else 1.

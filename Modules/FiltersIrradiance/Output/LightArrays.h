@@ -2,13 +2,10 @@
 #ifndef irradiance_LightArrays_h
 #define irradiance_LightArrays_h
 
+#include "Data/ArrayNames.h"
+#include "Data/NamedArray.h"
+
 #include "vtkDoubleArray.h"
-#include "vtkSmartPointer.h"
-
-#include <cstddef>
-#include <string>
-
-class vtkDataSetAttributes;
 
 namespace irradiance
 {
@@ -18,15 +15,22 @@ class LightArrays
 {
 public:
   /// Adds them to attributes.
-  LightArrays(vtkDataSetAttributes* attributes, const std::string& name, int bands,
-    vtkIdType tuples, bool haveErrors);
+  LightArrays(
+    vtkFieldData* attributes, const std::string& name, int bands, vtkIdType tuples, bool haveErrors)
+    : values_(addArray<vtkDoubleArray>(attributes, name, bands, tuples))
+    , errors_(haveErrors
+          ? addArray<vtkDoubleArray>(attributes, standardErrorName(name), bands, tuples)
+          : nullptr)
+  {
+  }
 
+  int bands() const { return values_->GetNumberOfComponents(); }
   bool haveErrors() const { return errors_ != nullptr; }
   /// `light`: see SensorFinalGather::Light.
   template <class Light>
   void set(vtkIdType tuple, const Light& light) const
   {
-    for (int band = 0; band < values_->GetNumberOfComponents(); ++band)
+    for (int band = 0; band < bands(); ++band)
     {
       const auto i = static_cast<std::size_t>(band);
       values_->SetTypedComponent(tuple, band, light.value[i]);

@@ -35,14 +35,7 @@ namespace
 vtkSmartPointer<vtkLinearTransform> toVtk(const AffineMap& map)
 {
   vtkNew<vtkMatrix4x4> matrix;
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      matrix->SetElement(row, column, map.linear(row, column));
-    }
-    matrix->SetElement(row, 3, map.translation[row]);
-  }
+  matrix->DeepCopy(matrixOf(map).data());
   auto transform = vtkSmartPointer<vtkMatrixToLinearTransform>::New();
   transform->SetInput(matrix);
   return transform;
@@ -122,10 +115,10 @@ void setBlock(
   parent->GetMetaData(index)->Set(vtkCompositeDataSet::NAME(), name.c_str());
 }
 
-}
+using MakePart = std::function<vtkSmartPointer<vtkPolyData>(const InputPart&)>;
 
-vtkSmartPointer<vtkDataObject> OutputWriter::blockOf(
-  const InputConnection& connection, const MakePart& makePart)
+/// The output of a connection, in the structure of its input.
+vtkSmartPointer<vtkDataObject> blockOf(const InputConnection& connection, const MakePart& makePart)
 {
   auto* tree = vtkDataObjectTree::SafeDownCast(connection.data);
   if (!tree)
@@ -141,58 +134,217 @@ vtkSmartPointer<vtkDataObject> OutputWriter::blockOf(
   return block;
 }
 
-void OutputWriter::writeBlocks(const std::vector<InputConnection>& statics,
-  const std::vector<InputConnection>& dynamics, const MakePart& makeStatic,
-  const MakePart& makeDynamic, vtkMultiBlockDataSet* output)
+void writeBlocks(const SceneInputs& inputs, const MakePart& makePart, vtkMultiBlockDataSet* output)
 {
   vtkNew<vtkMultiBlockDataSet> staticBlocks, dynamicBlocks;
   setBlock(output, 0, staticBlocks, "Static");
   setBlock(output, 1, dynamicBlocks, "Dynamic");
-  for (unsigned int i = 0; i < statics.size(); ++i)
+  for (unsigned int i = 0; i < inputs.statics.size(); ++i)
   {
-    setBlock(
-      staticBlocks, i, blockOf(statics[i], makeStatic), nameOf(statics[i].data, "Static", i));
+    setBlock(staticBlocks, i, blockOf(inputs.statics[i], makePart),
+      nameOf(inputs.statics[i].data, "Static", i));
   }
-  for (unsigned int i = 0; i < dynamics.size(); ++i)
+  for (unsigned int i = 0; i < inputs.dynamics.size(); ++i)
   {
-    const auto block = blockOf(dynamics[i], makeDynamic);
+    const auto block = blockOf(inputs.dynamics[i], makePart);
     block->GetFieldData()->RemoveArray(kFieldPoseName);
-    setBlock(dynamicBlocks, i, block, nameOf(dynamics[i].data, "Dynamic", i));
+    setBlock(dynamicBlocks, i, block, nameOf(inputs.dynamics[i].data, "Dynamic", i));
   }
 }
 
-void OutputWriter::write(const std::vector<InputConnection>& statics,
-  const std::vector<InputConnection>& dynamics, vtkMultiBlockDataSet* output) const
+class OutputWriter
 {
-  std::size_t staticPart = 0;
-  const auto makeStatic = [&](const InputPart& part) {
-    auto polyData = vtkSmartPointer<vtkPolyData>::New();
-    polyData->ShallowCopy(part.piece);
-    addIrradiance(polyData, { { 0, scene_.firstCellOfStatic(staticPart++) }, part.cells });
-    return polyData;
-  };
-  std::uint32_t object = 0;
-  const auto makeDynamic = [&](const InputPart& part) {
-    auto polyData = vtkSmartPointer<vtkPolyData>::New();
-    polyData->ShallowCopy(part.piece);
-    movePoints(part.worldFromPart, polyData);
-    polyData->GetFieldData()->RemoveArray(kFieldPoseName); // applied
-    if (part.innerPose)
+public:
+  OutputWriter(const IrradianceEngine& engine, const SceneReader& scene, bool withErrors,
+    bool withReplicates, const CancelPoint& cancelPoint)
+    : engine_(engine)
+    , scene_(scene)
+    , settings_(engine.settings())
+    , withErrors_(withErrors)
+    , withReplicates_(withReplicates)
+    , cancelPoint_(cancelPoint)
+    , errors_(engine.errorEstimate())
+  {
+  }
+
+  void write(const SceneInputs& inputs, vtkMultiBlockDataSet* output) const
+  {
+    std::size_t number = 0;
+    const auto makePart = [&](const InputPart& part) {
+      const SceneCell first = scene_.firstCellOf(number++);
+      auto polyData = vtkSmartPointer<vtkPolyData>::New();
+      polyData->ShallowCopy(part.piece);
+      if (first.object > 0)
+      {
+        movePoints(part.worldFromPart, polyData);
+        polyData->GetFieldData()->RemoveArray(kFieldPoseName); // applied
+        if (part.innerPose)
+        {
+          polyData->GetFieldData()->RemoveArray(part.innerPose);
+        }
+      }
+      addIrradiance(polyData, { first, part.cells });
+      return polyData;
+    };
+    writeBlocks(inputs, makePart, output);
+    addFieldData(output->GetFieldData());
+  }
+
+private:
+  void addIrradiance(vtkPolyData* polyData, const PartCells& cells) const
+  {
+    int side = settings_.separateSides ? 0 : CellSide::kBoth;
+    for (const char* suffix : suffixesOf(settings_))
     {
-      polyData->GetFieldData()->RemoveArray(part.innerPose);
+      addSide(polyData, suffix, cells, side++);
     }
-    addIrradiance(polyData, { { ++object, 0 }, part.cells });
-    return polyData;
-  };
-  writeBlocks(statics, dynamics, makeStatic, makeDynamic, output);
-  addFieldData(output);
+    activateIrradiance(polyData, settings_);
+  }
+
+  /// `suffix`: part of the arrays' names, such as Front.
+  void addSide(
+    vtkPolyData* polyData, const std::string& suffix, const PartCells& cells, int side) const
+  {
+    const int bands = scene_.bands();
+    const auto add = [&](const std::string& name, int components, const auto& value) {
+      const auto array = addArray<vtkDoubleArray>(
+        polyData->GetCellData(), name, components, polyData->GetNumberOfCells());
+      ThrottledCancelPoint pace(cancelPoint_);
+      for (vtkIdType i = 0; i < polyData->GetNumberOfCells(); ++i)
+      {
+        pace.step(static_cast<std::size_t>(components));
+        const CellSide cell{ cells[i], side };
+        for (int component = 0; component < components; ++component)
+        {
+          array->SetTypedComponent(i, component, value(cell, component));
+        }
+      }
+    };
+    add(irradianceName(suffix), bands,
+      [&](const CellSide& cell, int band) { return engine_.irradiance(cell, band); });
+    if (withErrors_)
+    {
+      constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+      add(standardErrorName(irradianceName(suffix)), bands, [&](const CellSide& cell, int band) {
+        return perArea(cell, unknown, [&] { return errors_.standardError(cell, band); });
+      });
+    }
+    if (withReplicates_)
+    {
+      add(photonName(suffix), bands, [&](const CellSide& cell, int band) {
+        return perArea(cell, 0, [&] { return errors_.quantaPerPhoton(cell, band); });
+      });
+    }
+    if (withReplicates_ && withErrors_)
+    {
+      add(replicatesName(suffix), static_cast<int>(errors_.replicates()) * bands,
+        [&](const CellSide& cell, int part) {
+          const auto replicate = static_cast<std::uint32_t>(part / bands);
+          return perArea(
+            cell, 0, [&] { return errors_.ofReplicate(cell, part % bands, replicate); });
+        });
+    }
+    if (settings_.repairTimeBudget > 0)
+    {
+      add(staleName(suffix), bands,
+        [&](const CellSide& cell, int band) { return engine_.staleIrradiance(cell, band); });
+    }
+  }
+
+  /// W/m2 of so many quanta; `otherwise` without an area.
+  template <class Quanta>
+  double perArea(const CellSide& cell, double otherwise, const Quanta& quanta) const
+  {
+    const double area = engine_.cells().area(cell);
+    return area > 0 ? engine_.watts(quanta()) / area : otherwise;
+  }
+
+  void addFieldData(vtkFieldData* fields) const
+  {
+    const auto addWatts = [&](const std::string& name, const auto& wattsOf) {
+      std::vector<double> watts;
+      for (int band = 0; band < scene_.bands(); ++band)
+      {
+        watts.push_back(wattsOf(band));
+      }
+      addTuple<vtkDoubleArray>(fields, name, watts);
+    };
+    const auto addPower = [&](const char* name, const Power& power) {
+      addWatts(name, [&](int band) { return engine_.watts(power[band]); });
+    };
+    const PowerBalance& balance = engine_.balance();
+    // The integers balance; so that the rounded watts do too, they are added.
+    addWatts(kEmittedPower, [&](int band) {
+      return engine_.watts(balance.absorbed[band]) + engine_.watts(balance.escaped[band]);
+    });
+    addPower(kAbsorbedPower, balance.absorbed);
+    addPower(kEscapedPower, balance.escaped);
+    for (const char* name : { kAbsorbedPower, kEscapedPower })
+    {
+      addWatts(standardErrorName(name), [&](int band) { return engine_.escapedError(band); });
+    }
+    addPower(kStalePower, engine_.stalePower());
+    if (settings_.repairTimeBudget > 0)
+    {
+      addWatts(kStaleGainBound, [&](int band) { return engine_.staleGainBound(band); });
+    }
+    addStatistics(fields);
+  }
+
+  void addStatistics(vtkFieldData* fields) const
+  {
+    const auto addCount = [&](const char* name, std::int64_t count) {
+      addTuple<vtkIdTypeArray>(fields, name, { static_cast<vtkIdType>(count) });
+    };
+    const auto addNumber = [&](const char* name, double number) {
+      addTuple<vtkDoubleArray>(fields, name, { number });
+    };
+    const EngineStatistics& statistics = engine_.statistics();
+    addCount(kNumberOfWalks, engine_.walks().numberOfShotWalks());
+    addCount(kNumberOfSegments, engine_.balance().segments);
+    if (settings_.cellEstimate == CellEstimate::Gathered)
+    {
+      addCount(kNumberOfGatherRays, static_cast<std::int64_t>(engine_.numberOfGatherRays()));
+    }
+    addCount(kDirectLight, settings_.gathersDirectLight ? 1 : 0);
+    addCount(kCellEstimate, static_cast<int>(settings_.cellEstimate));
+    if (withErrors_)
+    {
+      addNumber(kConfidenceFactor, ErrorEstimate::confidenceFactor(settings_.replicates));
+    }
+    if (settings_.targetRelativeError > 0)
+    {
+      addNumber(kReachedRelativeError, engine_.reachedRelativeError());
+    }
+    addCount(kNumberOfInvalidWalks, statistics.invalidWalks);
+    addCount(kNumberOfRepairedSegments, statistics.repairedSegments);
+    addNumber(kShootSeconds, statistics.shootSeconds);
+    addNumber(kVerifySeconds, statistics.verifySeconds);
+    addNumber(kRepairSeconds, statistics.repairSeconds);
+    addCount(kHistoryBytes, static_cast<std::int64_t>(statistics.historyBytes));
+  }
+
+  const IrradianceEngine& engine_;
+  const SceneReader& scene_;
+  const EngineSettings& settings_;
+  bool withErrors_, withReplicates_;
+  const CancelPoint& cancelPoint_;
+  ErrorEstimate errors_;
+};
+
 }
 
-void OutputWriter::writeEmpty(const std::vector<InputConnection>& statics,
-  const std::vector<InputConnection>& dynamics, const EngineSettings& settings, bool withErrors,
+void writeOutput(const IrradianceEngine& engine, const SceneReader& scene,
+  const SceneInputs& inputs, bool withErrors, bool withReplicates, const CancelPoint& cancelPoint,
   vtkMultiBlockDataSet* output)
 {
-  const int bands = SceneReader::countBands(statics, dynamics);
+  OutputWriter(engine, scene, withErrors, withReplicates, cancelPoint).write(inputs, output);
+}
+
+void writeEmptyOutput(const SceneInputs& inputs, const EngineSettings& settings, bool withErrors,
+  vtkMultiBlockDataSet* output)
+{
+  const int bands = SceneReader::countBands(inputs);
   const auto makePart = [&](const InputPart& part) {
     auto polyData = withoutCells(part.polyData);
     const auto add = [&](const std::string& name) {
@@ -213,154 +365,7 @@ void OutputWriter::writeEmpty(const std::vector<InputConnection>& statics,
     activateIrradiance(polyData, settings);
     return polyData;
   };
-  writeBlocks(statics, dynamics, makePart, makePart, output);
-}
-
-void OutputWriter::addIrradiance(vtkPolyData* polyData, const PartCells& cells) const
-{
-  int side = settings_.separateSides ? 0 : CellSide::kBoth;
-  for (const char* suffix : suffixesOf(settings_))
-  {
-    addSide(polyData, suffix, cells, side++);
-  }
-  activateIrradiance(polyData, settings_);
-}
-
-void OutputWriter::addSide(
-  vtkPolyData* polyData, const std::string& suffix, const PartCells& cells, int side) const
-{
-  const auto add = [&](const std::string& name, const auto& value) {
-    const auto array = addArray<vtkDoubleArray>(
-      polyData->GetCellData(), name, scene_.bands(), polyData->GetNumberOfCells());
-    ThrottledCancelPoint pace(cancelPoint_);
-    for (vtkIdType i = 0; i < polyData->GetNumberOfCells(); ++i)
-    {
-      pace.step();
-      const CellSide cell{ cells[i], side };
-      for (int band = 0; band < scene_.bands(); ++band)
-      {
-        array->SetTypedComponent(i, band, value(cell, band));
-      }
-    }
-  };
-  add(irradianceName(suffix),
-    [&](const CellSide& cell, int band) { return engine_.irradiance(cell, band); });
-  if (withErrors_)
-  {
-    add(standardErrorName(irradianceName(suffix)),
-      [&](const CellSide& cell, int band) { return standardError(cell, band); });
-  }
-  if (withReplicates_)
-  {
-    add(photonName(suffix), [&](const CellSide& cell, int band) {
-      const double area = engine_.cells().area(cell);
-      return area > 0 ? engine_.watts(errors_.quantaPerPhoton(cell, band)) / area : 0.0;
-    });
-  }
-  if (withReplicates_ && withErrors_)
-  {
-    addReplicates(polyData, suffix, cells, side);
-  }
-  if (settings_.repairTimeBudget > 0)
-  {
-    add(staleName(suffix),
-      [&](const CellSide& cell, int band) { return engine_.staleIrradiance(cell, band); });
-  }
-}
-
-void OutputWriter::addReplicates(
-  vtkPolyData* polyData, const std::string& suffix, const PartCells& cells, int side) const
-{
-  const int bands = scene_.bands();
-  const auto replicates = static_cast<int>(errors_.replicates());
-  const auto parts = addArray<vtkDoubleArray>(polyData->GetCellData(), replicatesName(suffix),
-    replicates * bands, polyData->GetNumberOfCells());
-  ThrottledCancelPoint pace(cancelPoint_);
-  for (vtkIdType i = 0; i < polyData->GetNumberOfCells(); ++i)
-  {
-    const CellSide cell{ cells[i], side };
-    const double area = engine_.cells().area(cell);
-    for (int part = 0; part < replicates * bands; ++part)
-    {
-      pace.step();
-      const double quanta =
-        errors_.ofReplicate(cell, part % bands, static_cast<std::uint32_t>(part / bands));
-      parts->SetTypedComponent(i, part, area > 0 ? engine_.watts(quanta) / area : 0.0);
-    }
-  }
-}
-
-double OutputWriter::standardError(const CellSide& cell, int band) const
-{
-  const double area = engine_.cells().area(cell);
-  return area > 0 ? engine_.watts(errors_.standardError(cell, band)) / area
-                  : std::numeric_limits<double>::quiet_NaN();
-}
-
-void OutputWriter::addFieldData(vtkMultiBlockDataSet* output) const
-{
-  vtkFieldData* fields = output->GetFieldData();
-  const auto addWatts = [&](const char* name, double first, double second, double third) {
-    std::vector<double> watts{ first, second, third };
-    watts.resize(static_cast<std::size_t>(scene_.bands()));
-    addTuple<vtkDoubleArray>(fields, name, watts);
-  };
-  const auto addPower = [&](const char* name, const Power& power) {
-    addWatts(name, engine_.watts(power[0]), engine_.watts(power[1]), engine_.watts(power[2]));
-  };
-  const PowerBalance& balance = engine_.balance();
-  // The integers balance; so that the rounded watts do too, they are added.
-  const auto emitted = [&](int band) {
-    return engine_.watts(balance.absorbed[band]) + engine_.watts(balance.escaped[band]);
-  };
-  addWatts(kEmittedPower, emitted(0), emitted(1), emitted(2));
-  addPower(kAbsorbedPower, balance.absorbed);
-  addPower(kEscapedPower, balance.escaped);
-  for (const char* name : { kAbsorbedPower, kEscapedPower })
-  {
-    addWatts(standardErrorName(name).c_str(), engine_.escapedError(0), engine_.escapedError(1),
-      engine_.escapedError(2));
-  }
-  addPower(kStalePower, engine_.stalePower());
-  if (settings_.repairTimeBudget > 0)
-  {
-    addWatts(kStaleGainBound, engine_.staleGainBound(0), engine_.staleGainBound(1),
-      engine_.staleGainBound(2));
-  }
-  addStatistics(fields);
-}
-
-void OutputWriter::addStatistics(vtkFieldData* fields) const
-{
-  const auto addCount = [&](const char* name, std::int64_t count) {
-    addTuple<vtkIdTypeArray>(fields, name, { static_cast<vtkIdType>(count) });
-  };
-  const auto addNumber = [&](const char* name, double number) {
-    addTuple<vtkDoubleArray>(fields, name, { number });
-  };
-  const EngineStatistics& statistics = engine_.statistics();
-  addCount(kNumberOfWalks, engine_.walks().numberOfShotWalks());
-  addCount(kNumberOfSegments, engine_.balance().segments);
-  if (settings_.cellEstimate == CellEstimate::Gathered)
-  {
-    addCount(kNumberOfGatherRays, static_cast<std::int64_t>(engine_.numberOfGatherRays()));
-  }
-  addCount(kDirectLight, settings_.gathersDirectLight ? 1 : 0);
-  addCount(kCellEstimate, static_cast<int>(settings_.cellEstimate));
-  if (withErrors_)
-  {
-    addNumber(kConfidenceFactor, ErrorEstimate::confidenceFactor(settings_.replicates));
-  }
-  if (settings_.targetRelativeError > 0)
-  {
-    addNumber(kReachedRelativeError, engine_.reachedRelativeError());
-  }
-  addCount(kNumberOfInvalidWalks, statistics.invalidWalks);
-  addCount(kNumberOfRepairedSegments, statistics.repairedSegments);
-  addNumber(kShootSeconds, statistics.shootSeconds);
-  addNumber(kVerifySeconds, statistics.verifySeconds);
-  addNumber(kRepairSeconds, statistics.repairSeconds);
-  addCount(kHistoryBytes, static_cast<std::int64_t>(statistics.historyBytes));
+  writeBlocks(inputs, makePart, output);
 }
 
 }

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace irradiance
@@ -101,6 +102,55 @@ private:
   vtkNew<vtkIntArray> bounces_;
 };
 
+/// None if it is not there, as its part is away.
+std::optional<SceneCell> cellOf(
+  const WalksRequest& request, const PhotonSource& source, vtkMultiBlockDataSet* scene)
+{
+  std::optional<SceneCell> found;
+  if (request.port != 0 && request.port != 1)
+  {
+    fail("the port of the cell", request.port, "0 (static) or 1 (dynamic) is possible");
+  }
+  auto* connections =
+    vtkMultiBlockDataSet::SafeDownCast(scene->GetBlock(static_cast<unsigned int>(request.port)));
+  const int count = connections ? static_cast<int>(connections->GetNumberOfBlocks()) : 0;
+  if (request.connection < 0 || request.connection >= count)
+  {
+    fail("the connection of the cell", request.connection,
+      "input port " + std::to_string(request.port) + " has " + std::to_string(count) +
+        " connections, numbered from 0");
+  }
+  const std::vector<LeafData> leaves =
+    leavesOf(connections->GetBlock(static_cast<unsigned int>(request.connection)));
+  vtkIdType first = 0;
+  source.forEachPart(scene, [&](vtkPolyData* leaf, const PartCells& cells) {
+    const auto isLeaf = [&](const LeafData& one) { return one.data == leaf; };
+    if (std::none_of(leaves.begin(), leaves.end(), isLeaf))
+    {
+      return;
+    }
+    if (cells.piece)
+    {
+      fail("the cell", request.cell,
+        "with DistributedInput the cells of an input have no common numbers; -1 means all walks");
+    }
+    const vtkIdType cell = request.cell - first;
+    if (cell >= 0 && cell < leaf->GetNumberOfCells())
+    {
+      found = cells[cell];
+    }
+    first += leaf->GetNumberOfCells();
+  });
+  if (request.cell < 0 || (!found && first > 0)) // a part that is away has no cells
+  {
+    fail("the cell", request.cell,
+      std::string(request.port == 0 ? "static" : "dynamic") + " connection " +
+        std::to_string(request.connection) + " has " + std::to_string(first) +
+        " cells, numbered from 0; -1 means all walks");
+  }
+  return found;
+}
+
 }
 
 std::uint64_t WalksRequest::hash() const
@@ -113,90 +163,34 @@ std::uint64_t WalksRequest::hash() const
   return hash.value();
 }
 
-WalksWriter::WalksWriter(
-  const WalksRequest& request, const PhotonSource& source, vtkMultiBlockDataSet* scene)
-  : request_(request)
-  , engine_(*source.engine())
+void writeWalks(const WalksRequest& request, const PhotonSource& source,
+  vtkMultiBlockDataSet* scene, Execution& execution, vtkPolyData* output)
 {
   constexpr vtkIdType most = std::numeric_limits<std::uint32_t>::max();
   if (request.count < 0 || request.count > most)
   {
     fail("the number of walks", request.count, "0 to " + std::to_string(most) + " are possible");
   }
-  if (request.cell != -1)
+  const IrradianceEngine& engine = *source.engine();
+  const WalkPaths paths(engine);
+  const auto count = static_cast<std::size_t>(request.count);
+  std::vector<std::uint32_t> walks;
+  if (request.cell == -1)
   {
-    findCell(source, scene);
+    walks = paths.first(count);
   }
-}
-
-void WalksWriter::findCell(const PhotonSource& source, vtkMultiBlockDataSet* scene)
-{
-  if (request_.port != 0 && request_.port != 1)
+  else if (const std::optional<SceneCell> cell = cellOf(request, source, scene))
   {
-    fail("the port of the cell", request_.port, "0 (static) or 1 (dynamic) is possible");
+    walks = paths.touching(*cell, count, execution);
   }
-  auto* connections =
-    vtkMultiBlockDataSet::SafeDownCast(scene->GetBlock(static_cast<unsigned int>(request_.port)));
-  const int count = connections ? static_cast<int>(connections->GetNumberOfBlocks()) : 0;
-  if (request_.connection < 0 || request_.connection >= count)
-  {
-    fail("the connection of the cell", request_.connection,
-      "input port " + std::to_string(request_.port) + " has " + std::to_string(count) +
-        " connections, numbered from 0");
-  }
-  const std::vector<LeafData> leaves =
-    leavesOf(connections->GetBlock(static_cast<unsigned int>(request_.connection)));
-  vtkIdType first = 0;
-  source.forEachPart(scene, [&](vtkPolyData* leaf, const PartCells& cells) {
-    const auto isLeaf = [&](const LeafData& one) { return one.data == leaf; };
-    if (std::none_of(leaves.begin(), leaves.end(), isLeaf))
-    {
-      return;
-    }
-    if (cells.piece)
-    {
-      fail("the cell", request_.cell,
-        "with DistributedInput the cells of an input have no common numbers; -1 means all walks");
-    }
-    const vtkIdType cell = request_.cell - first;
-    if (cell >= 0 && cell < leaf->GetNumberOfCells())
-    {
-      cell_ = cells[cell];
-    }
-    first += leaf->GetNumberOfCells();
-  });
-  if (request_.cell < 0 || (!cell_ && first > 0)) // a part that is away has no cells
-  {
-    fail("the cell", request_.cell,
-      std::string(request_.port == 0 ? "static" : "dynamic") + " connection " +
-        std::to_string(request_.connection) + " has " + std::to_string(first) +
-        " cells, numbered from 0; -1 means all walks");
-  }
-}
-
-std::vector<std::uint32_t> WalksWriter::choose(Execution& execution) const
-{
-  const WalkPaths paths(engine_);
-  const auto most = static_cast<std::size_t>(request_.count);
-  if (request_.cell == -1)
-  {
-    return paths.first(most);
-  }
-  return cell_ ? paths.touching(*cell_, most, execution) : std::vector<std::uint32_t>{};
-}
-
-void WalksWriter::write(Execution& execution, vtkPolyData* output) const
-{
-  const std::vector<std::uint32_t> walks = choose(execution);
   constexpr std::size_t kTogether = 16384;
-  const WalkPaths paths(engine_);
-  Polylines polylines(engine_, engine_.objects().staticObject.material->bands,
-    engine_.settings().repairTimeBudget > 0);
+  Polylines polylines(
+    engine, engine.objects().staticObject.material->bands, engine.settings().repairTimeBudget > 0);
   for (std::size_t begin = 0; begin < walks.size(); begin += kTogether)
   {
     const auto from = walks.begin() + static_cast<std::ptrdiff_t>(begin);
-    const auto count = static_cast<std::ptrdiff_t>(std::min(kTogether, walks.size() - begin));
-    for (const WalkPath& path : paths.paths({ from, from + count }, execution))
+    const auto end = from + static_cast<std::ptrdiff_t>(std::min(kTogether, walks.size() - begin));
+    for (const WalkPath& path : paths.paths({ from, end }, execution))
     {
       polylines.add(path);
     }

@@ -7,7 +7,6 @@
 #include "vtkType.h"
 
 #include <cstdint>
-#include <optional>
 
 class vtkMultiBlockDataSet;
 class vtkPolyData;
@@ -25,25 +24,11 @@ struct WalksRequest
   std::uint64_t hash() const;
 };
 
-/// Shows stored walks as polylines.
-class WalksWriter
-{
-public:
-  /// `scene`: the output of vtkIrradianceFilter to which the source belongs. Throws InputError for
-  /// a cell that is not there. The source must outlive it.
-  WalksWriter(const WalksRequest& request, const PhotonSource& source, vtkMultiBlockDataSet* scene);
-
-  /// Leaves the output alone if it throws Interrupted.
-  void write(Execution& execution, vtkPolyData* output) const;
-
-private:
-  void findCell(const PhotonSource& source, vtkMultiBlockDataSet* scene);
-  std::vector<std::uint32_t> choose(Execution& execution) const;
-
-  WalksRequest request_;
-  const IrradianceEngine& engine_;
-  std::optional<SceneCell> cell_; ///< none: it is not there, or all walks are meant
-};
+/// Shows stored walks as polylines. `scene`: the output of vtkIrradianceFilter to which the source
+/// belongs. Throws InputError for a cell that is not there. Leaves the output alone if it throws
+/// Interrupted.
+void writeWalks(const WalksRequest& request, const PhotonSource& source,
+  vtkMultiBlockDataSet* scene, Execution& execution, vtkPolyData* output);
 
 }
 

@@ -4,6 +4,11 @@
 
 #include "Execution/Ranks.h"
 
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+class vtkDataObject;
 class vtkMultiProcessController;
 
 namespace irradiance
@@ -21,6 +26,12 @@ public:
 
   std::uint32_t rank() const override;
   std::uint32_t count() const override;
+
+  /// What each rank has, in the order of ranks, on all of them; ranks that have nothing (null) are
+  /// left out. Data sets, or trees of them: structure, names, geometry and arrays, bit for bit, but
+  /// no information keys. All ranks call it. Throws RankFailed, and InputError if VTK cannot write
+  /// or read it.
+  std::vector<vtkSmartPointer<vtkDataObject>> dataOfAll(vtkDataObject* own);
 
 private:
   void allReduce(std::int64_t* numbers, std::size_t size) override;

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/DistributedInput.h"
 
+#include "Data/NamedArray.h"
 #include "Input/ChosenArrays.h"
-#include "Input/GeometryOrigin.h"
-#include "Input/OrderedCells.h"
-#include "Pipeline/RankData.h"
+#include "Input/Pose.h"
 #include "Progress/InputError.h"
 
 #include "vtkAppendPolyData.h"
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 
 #include <algorithm>
 #include <array>
 #include <cstring>
 #include <iterator>
+#include <numeric>
 #include <set>
 
 namespace irradiance
@@ -24,12 +27,160 @@ namespace
 {
 
 using Parts = std::vector<InputPart*>;
+using Pieces = std::vector<vtkSmartPointer<vtkPolyData>>;
 
-Parts partsOf(std::vector<InputConnection>& statics, std::vector<InputConnection>& dynamics)
+constexpr const char* kMark = "vtkIrradiancePieceCell";
+enum MarkComponent
 {
-  Parts parts;
-  forEachPart(statics, dynamics, [&](InputPart& part) { parts.push_back(&part); });
-  return parts;
+  Process,
+  CellOfPiece,
+  GlobalId, ///< -1: none
+  kMarkComponents
+};
+
+/// Doubles by their bits: a total order, with NaN in it.
+std::int64_t keyOf(double coordinate)
+{
+  std::int64_t bits;
+  std::memcpy(&bits, &coordinate, sizeof(bits));
+  return bits;
+}
+
+/// Compares cells of one polydata.
+class CellOrder
+{
+public:
+  explicit CellOrder(vtkPolyData* cells)
+    : cells_(cells)
+    , marks_(vtkIdTypeArray::SafeDownCast(cells->GetCellData()->GetArray(kMark)))
+  {
+    const std::array<vtkIdType, kKinds> counts{ cells->GetNumberOfVerts(),
+      cells->GetNumberOfLines(), cells->GetNumberOfPolys(), cells->GetNumberOfStrips() };
+    std::partial_sum(counts.begin(), counts.end(), ends_.begin());
+  }
+
+  static constexpr std::size_t kKinds = 4; ///< vertices, lines, polygons, strips
+  /// Which of these a cell is: polydata numbers them in this order.
+  std::size_t kindOf(vtkIdType cell) const
+  {
+    return static_cast<std::size_t>(
+      std::upper_bound(ends_.begin(), ends_.end(), cell) - ends_.begin());
+  }
+  vtkIdType mark(vtkIdType cell, MarkComponent component) const
+  {
+    return marks_->GetTypedComponent(cell, component);
+  }
+
+  bool operator()(vtkIdType a, vtkIdType b) const
+  {
+    if (kindOf(a) != kindOf(b))
+    {
+      return kindOf(a) < kindOf(b);
+    }
+    if (mark(a, GlobalId) != mark(b, GlobalId))
+    {
+      return mark(a, GlobalId) < mark(b, GlobalId);
+    }
+    const int places = comparePlaces(a, b);
+    return places != 0 ? places < 0
+                       : std::array{ mark(a, Process), mark(a, CellOfPiece) } <
+        std::array{ mark(b, Process), mark(b, CellOfPiece) };
+  }
+
+private:
+  /// Below 0 if a comes first.
+  int comparePlaces(vtkIdType a, vtkIdType b) const
+  {
+    vtkIdType count, otherCount;
+    const vtkIdType *ids, *otherIds;
+    cells_->GetCellPoints(a, count, ids);
+    cells_->GetCellPoints(b, otherCount, otherIds);
+    if (count != otherCount)
+    {
+      return count < otherCount ? -1 : 1;
+    }
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      std::array<double, 3> p, q;
+      cells_->GetPoint(ids[i], p.data());
+      cells_->GetPoint(otherIds[i], q.data());
+      for (std::size_t axis = 0; axis < p.size(); ++axis)
+      {
+        const std::int64_t first = keyOf(p[axis]), second = keyOf(q[axis]);
+        if (first != second)
+        {
+          return first < second ? -1 : 1;
+        }
+      }
+    }
+    return 0;
+  }
+
+  vtkPolyData* cells_;
+  vtkIdTypeArray* marks_;
+  std::array<vtkIdType, kKinds> ends_;
+};
+
+/// The cells of a piece and their arrays, each cell marked with the process that holds it.
+vtkSmartPointer<vtkPolyData> markedPiece(vtkPolyData* piece, std::uint32_t rank)
+{
+  auto marked = vtkSmartPointer<vtkPolyData>::New();
+  marked->CopyStructure(piece);
+  marked->GetCellData()->ShallowCopy(piece->GetCellData());
+  const auto marks = addArray<vtkIdTypeArray>(
+    marked->GetCellData(), kMark, kMarkComponents, piece->GetNumberOfCells());
+  vtkDataArray* ids = piece->GetCellData()->GetGlobalIds();
+  for (vtkIdType i = 0; i < piece->GetNumberOfCells(); ++i)
+  {
+    marks->SetTypedComponent(i, Process, static_cast<vtkIdType>(rank));
+    marks->SetTypedComponent(i, CellOfPiece, i);
+    marks->SetTypedComponent(i, GlobalId, ids ? static_cast<vtkIdType>(ids->GetTuple1(i)) : -1);
+  }
+  return marked;
+}
+
+/// Orders cells of marked pieces: vertices, lines, polygons and strips, as polydata do; each of
+/// these by global id, if there are such ids, by the coordinates of the points, and by process. So
+/// cells of one place with one id alone depend on who held them. `cells`: where each cell of this
+/// rank's piece has gone.
+vtkSmartPointer<vtkPolyData> orderedByPlace(
+  vtkPolyData* marked, std::uint32_t rank, std::vector<std::size_t>& cells)
+{
+  marked->BuildCells();
+  const CellOrder order(marked);
+  const vtkIdType count = marked->GetNumberOfCells();
+  std::vector<vtkIdType> sorted(static_cast<std::size_t>(count));
+  std::iota(sorted.begin(), sorted.end(), vtkIdType{});
+  std::sort(sorted.begin(), sorted.end(), order);
+
+  auto ordered = vtkSmartPointer<vtkPolyData>::New();
+  ordered->SetPoints(marked->GetPoints());
+  std::array<vtkNew<vtkCellArray>, CellOrder::kKinds> kinds;
+  vtkCellData* data = ordered->GetCellData();
+  data->CopyAllocate(marked->GetCellData(), count);
+  cells.assign(
+    static_cast<std::size_t>(std::count_if(sorted.begin(), sorted.end(),
+      [&](vtkIdType cell) { return order.mark(cell, Process) == static_cast<vtkIdType>(rank); })),
+    0);
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+  {
+    const vtkIdType cell = sorted[i];
+    vtkIdType size;
+    const vtkIdType* points;
+    marked->GetCellPoints(cell, size, points);
+    kinds[order.kindOf(cell)]->InsertNextCell(size, points);
+    data->CopyData(marked->GetCellData(), cell, static_cast<vtkIdType>(i));
+    if (order.mark(cell, Process) == static_cast<vtkIdType>(rank))
+    {
+      cells[static_cast<std::size_t>(order.mark(cell, CellOfPiece))] = i;
+    }
+  }
+  ordered->SetVerts(kinds[0]);
+  ordered->SetLines(kinds[1]);
+  ordered->SetPolys(kinds[2]);
+  ordered->SetStrips(kinds[3]);
+  data->RemoveArray(kMark);
+  return ordered;
 }
 
 /// As in "RadiantExitance (double, 3)"; what pieces with the same arrays have in common.
@@ -47,7 +198,7 @@ std::set<std::string> arraysOf(vtkPolyData* piece)
 }
 
 /// Arrays that are not in all pieces would be lost.
-void checkArrays(const std::string& name, const std::vector<vtkSmartPointer<vtkPolyData>>& pieces)
+void checkArrays(const std::string& name, const Pieces& pieces)
 {
   for (const auto& piece : pieces)
   {
@@ -63,13 +214,12 @@ void checkArrays(const std::string& name, const std::vector<vtkSmartPointer<vtkP
 }
 
 /// The pieces of all processes that have cells, marked with whose they are.
-std::vector<vtkSmartPointer<vtkPolyData>> piecesOf(
-  const InputPart& part, vtkMultiProcessController* controller, Ranks& ranks)
+Pieces piecesOf(const InputPart& part, ControllerRanks& ranks)
 {
   const auto own =
     part.piece->GetNumberOfCells() > 0 ? markedPiece(part.piece, ranks.rank()) : nullptr;
-  std::vector<vtkSmartPointer<vtkPolyData>> pieces;
-  for (const auto& piece : dataOfRanks(own, controller, ranks))
+  Pieces pieces;
+  for (const auto& piece : ranks.dataOfAll(own))
   {
     pieces.emplace_back(vtkPolyData::SafeDownCast(piece));
   }
@@ -104,7 +254,7 @@ bool haveSameCells(vtkPolyData* a, vtkPolyData* b)
 
 /// Whether each process has all of a part, such as a lamp that each has made, or a source that
 /// knows no pieces.
-bool isWholeOnEach(const std::vector<vtkSmartPointer<vtkPolyData>>& pieces, const Ranks& ranks)
+bool isWholeOnEach(const Pieces& pieces, const Ranks& ranks)
 {
   return pieces.size() == ranks.count() &&
     std::all_of(pieces.begin(), pieces.end(),
@@ -112,8 +262,8 @@ bool isWholeOnEach(const std::vector<vtkSmartPointer<vtkPolyData>>& pieces, cons
 }
 
 /// Puts the pieces of a part together. `cells`: of this rank's piece.
-vtkSmartPointer<vtkPolyData> wholeOf(std::vector<vtkSmartPointer<vtkPolyData>> pieces,
-  const Ranks& ranks, std::vector<std::size_t>& cells)
+vtkSmartPointer<vtkPolyData> wholeOf(
+  Pieces pieces, const Ranks& ranks, std::vector<std::size_t>& cells)
 {
   if (pieces.empty())
   {
@@ -134,70 +284,39 @@ vtkSmartPointer<vtkPolyData> wholeOf(std::vector<vtkSmartPointer<vtkPolyData>> p
   return orderedByPlace(append->GetOutput(), holder, cells);
 }
 
-/// For each part which rank speaks for it, the first with cells; `count` if there is none.
-std::vector<std::size_t> speakersOf(const Parts& parts, Ranks& ranks)
-{
-  const std::size_t count = ranks.count();
-  std::vector<std::int64_t> have(parts.size() * count, 0);
-  for (std::size_t i = 0; i < parts.size(); ++i)
-  {
-    have[i * count + ranks.rank()] = parts[i]->piece->GetNumberOfCells() > 0 ? 1 : 0;
-  }
-  ranks.sum(have.data(), have.size());
-  std::vector<std::size_t> speakers;
-  for (auto of = have.begin(); of != have.end(); of += static_cast<std::ptrdiff_t>(count))
-  {
-    speakers.push_back(
-      static_cast<std::size_t>(std::find(of, of + static_cast<std::ptrdiff_t>(count), 1) - of));
-  }
-  return speakers;
-}
-
-/// The bits of the numbers of a map.
-using MapBits = std::array<std::int64_t, 12>;
-
-MapBits bitsOf(const AffineMap& map)
-{
-  MapBits bits;
-  std::memcpy(bits.data(), map.linear.data(), 9 * sizeof(double));
-  std::memcpy(bits.data() + 9, map.translation.data(), 3 * sizeof(double));
-  return bits;
-}
-
-AffineMap mapOf(const std::int64_t* bits)
-{
-  AffineMap map;
-  std::memcpy(map.linear.data(), bits, 9 * sizeof(double));
-  std::memcpy(map.translation.data(), bits + 9, 3 * sizeof(double));
-  return map;
-}
-
-/// A process without cells may know no pose.
+/// The pose of a part is that of the first process that has cells of it: one without may know none.
 void sharePoses(const Parts& parts, Ranks& ranks)
 {
-  const std::vector<std::size_t> speakers = speakersOf(parts, ranks);
-  std::vector<std::int64_t> poses; // sums, in which each number has one summand
-  for (std::size_t i = 0; i < parts.size(); ++i)
+  std::array<std::int64_t, 16> bits; // of the matrix of a pose
+  std::vector<std::int64_t> own;     // for each part, whether there are cells, and its pose
+  for (const InputPart* part : parts)
   {
-    const MapBits bits = speakers[i] == ranks.rank() ? bitsOf(parts[i]->worldFromPart) : MapBits{};
-    poses.insert(poses.end(), bits.begin(), bits.end());
+    std::memcpy(bits.data(), matrixOf(part->worldFromPart).data(), sizeof(bits));
+    own.push_back(part->piece->GetNumberOfCells() > 0 ? 1 : 0);
+    own.insert(own.end(), bits.begin(), bits.end());
   }
-  ranks.sum(poses.data(), poses.size());
+  const std::vector<std::int64_t> all = ranks.concatenate(own);
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
-    if (speakers[i] < ranks.count())
+    std::size_t first = i * (1 + bits.size());
+    while (first < all.size() && all[first] == 0)
     {
-      parts[i]->worldFromPart = mapOf(&poses[i * MapBits().size()]);
+      first += own.size();
+    }
+    if (first < all.size())
+    {
+      std::array<double, 16> matrix;
+      std::memcpy(matrix.data(), &all[first + 1], sizeof(matrix));
+      parts[i]->worldFromPart = poseOf(parts[i]->name, matrix.data());
     }
   }
 }
 
 }
 
-void DistributedInput::complete(vtkAlgorithm* filter, vtkMultiProcessController* controller,
-  Ranks& ranks, std::vector<InputConnection>& statics, std::vector<InputConnection>& dynamics)
+void DistributedInput::complete(vtkAlgorithm* filter, ControllerRanks& ranks, SceneInputs& inputs)
 {
-  const Parts parts = partsOf(statics, dynamics);
+  const Parts parts = allPartsOf(inputs);
   ranks.expectSame(
     parts.size(), "another number of inputs, or of blocks in them, than on the first process");
   wholes_.resize(parts.size());
@@ -215,7 +334,7 @@ void DistributedInput::complete(vtkAlgorithm* filter, vtkMultiProcessController*
     if (changed[i] > 0)
     {
       whole = {};
-      const auto pieces = piecesOf(part, controller, ranks);
+      const auto pieces = piecesOf(part, ranks);
       vtkPolyData* origin = originOfGeometry(part.polyData);
       std::vector<std::size_t> cells;
       checkArrays(part.name, pieces);

@@ -2,15 +2,13 @@
 #ifndef irradiance_DistributedInput_h
 #define irradiance_DistributedInput_h
 
-#include "Execution/Ranks.h"
 #include "Input/InputConnection.h"
+#include "Pipeline/ControllerRanks.h"
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <vector>
-
-class vtkMultiProcessController;
 
 namespace irradiance
 {
@@ -25,10 +23,9 @@ class DistributedInput
 {
 public:
   /// Replaces the pieces of all parts by wholes, and takes the pose of each part from the first
-  /// process that has cells of it. All processes call it together; null: this one is alone. Throws
-  /// InputError if pieces do not fit together, and RankFailed.
-  void complete(vtkAlgorithm* filter, vtkMultiProcessController* controller, Ranks& ranks,
-    std::vector<InputConnection>& statics, std::vector<InputConnection>& dynamics);
+  /// process that has cells of it. All processes call it together. Throws InputError if pieces do
+  /// not fit together, and RankFailed.
+  void complete(vtkAlgorithm* filter, ControllerRanks& ranks, SceneInputs& inputs);
 
 private:
   struct Whole

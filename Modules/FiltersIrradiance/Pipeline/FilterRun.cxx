@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/FilterRun.h"
 
+#include "Progress/InputError.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
+#include "vtkCompositeDataPipeline.h"
 #include "vtkDataObject.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkInformationRequestKey.h"
+#include "vtkObjectFactory.h"
 #include "vtkVersionMacros.h"
 
 #include <exception>
@@ -38,12 +43,52 @@ bool hasInputFailed(vtkAlgorithm* filter)
   return hasFailed;
 }
 
+class RanksPipeline : public vtkCompositeDataPipeline
+{
+public:
+  vtkTypeMacro(RanksPipeline, vtkCompositeDataPipeline);
+  static RanksPipeline* New();
+
+  std::function<void()> upstreamFailed;
+
+protected:
+  int ForwardUpstream(vtkInformation* request) override
+  {
+    const int result = this->Superclass::ForwardUpstream(request);
+    if (result == 0 && request->Has(REQUEST_DATA()))
+    {
+      upstreamFailed();
+    }
+    return result;
+  }
+  using vtkCompositeDataPipeline::ForwardUpstream;
+};
+
+vtkStandardNewMacro(RanksPipeline);
+
 void fail(vtkDataObject* output)
 {
   output->Initialize();
   output->GetInformation()->Set(failedKey(), 1);
 }
 
+}
+
+void setInputTypes(vtkInformation* port, const char* composite, const char* other)
+{
+  port->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), composite);
+  port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), other);
+}
+
+std::uint32_t checked(const char* name, vtkIdType value, vtkIdType low, vtkIdType high)
+{
+  if (value < low || value > high)
+  {
+    throw InputError(std::string(name) + " is " + std::to_string(value) + "; " +
+      std::to_string(low) + " to " + std::to_string(high) + " are possible");
+  }
+  return static_cast<std::uint32_t>(value);
 }
 
 vtkMTimeType upstreamTime(vtkAlgorithm* filter, int port, int connection)
@@ -76,6 +121,13 @@ void forgetAbort(vtkAlgorithm* filter)
 #else
   filter->SetAbortExecute(0);
 #endif
+}
+
+vtkExecutive* newRanksPipeline(std::function<void()> upstreamFailed)
+{
+  auto* pipeline = RanksPipeline::New();
+  pipeline->upstreamFailed = std::move(upstreamFailed);
+  return pipeline;
 }
 
 int runFilter(

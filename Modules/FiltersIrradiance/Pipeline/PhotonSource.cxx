@@ -3,10 +3,9 @@
 
 #include "Data/ArrayNames.h"
 #include "Data/LeafData.h"
-#include "Pipeline/PieceRequest.h"
+#include "Pipeline/UpstreamRequest.h"
 #include "Progress/InputError.h"
 
-#include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"
 #include "vtkFieldData.h"
@@ -58,16 +57,17 @@ EngineReference* referenceIn(vtkDataObject* data)
                                             : nullptr;
 }
 
-/// Calls visit(polydata, or null for other data) for the leaves of a block, in order.
-template <class Visit>
-void forEachPolyData(vtkDataObject* block, const Visit& visit)
+/// Of the leaves of a block, in order; null for other data.
+std::vector<vtkPolyData*> polyDataOf(vtkDataObject* block)
 {
+  std::vector<vtkPolyData*> all;
   if (auto* tree = vtkDataObjectTree::SafeDownCast(block))
   {
     forEachLeaf(tree, [&](vtkDataObjectTreeIterator* leaf) {
-      visit(vtkPolyData::SafeDownCast(leaf->GetCurrentDataObject()));
+      all.push_back(vtkPolyData::SafeDownCast(leaf->GetCurrentDataObject()));
     });
   }
+  return all;
 }
 
 }
@@ -86,12 +86,6 @@ bool PhotonSource::isEmptyPiece(vtkMultiBlockDataSet* data, vtkInformation* outp
 {
   return data && data->GetNumberOfBlocks() > 0 && !referenceIn(data) &&
     isEmptyPieceRequested(output);
-}
-
-void PhotonSource::fillInputPort(vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiBlockDataSet");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
 }
 
 PhotonSource::PhotonSource(vtkDataObject* data, const char* what, Need need)
@@ -119,64 +113,40 @@ PhotonSource::PhotonSource(vtkDataObject* data, const char* what, Need need)
   }
 }
 
-void PhotonSource::failUnlike() const
-{
-  throw InputError(std::string(what_) +
-    " is a part of an output of vtkIrradianceFilter, or has other cells: the whole output is "
-    "needed");
-}
-
-void PhotonSource::checkCells(
-  vtkPolyData* polyData, std::size_t part, std::size_t cellsOfPart) const
-{
-  const PieceCells piece = part < pieces_.size() ? pieces_[part] : nullptr;
-  if (part >= pieces_.size() || !polyData ||
-    static_cast<std::size_t>(polyData->GetNumberOfCells()) != (piece ? piece->size() : cellsOfPart))
-  {
-    failUnlike();
-  }
-}
-
 void PhotonSource::forEachPart(vtkMultiBlockDataSet* data, const Visit& visit) const
 {
+  const auto check = [&](bool isAlike) {
+    if (!isAlike)
+    {
+      throw InputError(std::string(what_) +
+        " is a part of an output of vtkIrradianceFilter, or has other cells: the whole output is "
+        "needed");
+    }
+  };
+  check(data->GetNumberOfBlocks() == 2);
+  std::vector<vtkPolyData*> parts = polyDataOf(data->GetBlock(0));
+  const std::vector<vtkPolyData*> dynamics = polyDataOf(data->GetBlock(1));
   const SceneObjects& objects = engine_->objects();
-  if (data->GetNumberOfBlocks() != 2)
+  const Material& material = *objects.staticObject.material;
+  std::vector<std::size_t> ends = material.firstCellOfPart; // of the static parts
+  check(parts.size() == ends.size() && dynamics.size() + 1 == objects.size());
+  parts.insert(parts.end(), dynamics.begin(), dynamics.end());
+  check(parts.size() == pieces_.size());
+  ends.push_back(material.numberOfCells);
+  const std::size_t statics = ends.size() - 1;
+  for (std::size_t i = 0; i < parts.size(); ++i)
   {
-    failUnlike();
-  }
-  const Material& statics = *objects.staticObject.material;
-  std::size_t part = 0;
-  forEachPolyData(data->GetBlock(0), [&](vtkPolyData* polyData) {
-    if (part >= statics.firstCellOfPart.size())
-    {
-      failUnlike();
-    }
-    const std::size_t first = statics.firstCellOfPart[part];
-    const bool isLast = part + 1 == statics.firstCellOfPart.size();
-    checkCells(
-      polyData, part, (isLast ? statics.numberOfCells : statics.firstCellOfPart[part + 1]) - first);
-    visit(polyData, { { 0, first }, pieces_[part] });
-    ++part;
-  });
-  if (part != statics.firstCellOfPart.size())
-  {
-    failUnlike();
-  }
-  std::uint32_t object = 0;
-  forEachPolyData(data->GetBlock(1), [&](vtkPolyData* polyData) {
-    ++object;
-    if (object >= objects.size())
-    {
-      failUnlike();
-    }
-    checkCells(
-      polyData, part, objects[object].isPresent ? objects[object].material->numberOfCells : 0);
-    visit(polyData, { { object, 0 }, pieces_[part] });
-    ++part;
-  });
-  if (object + 1 != objects.size())
-  {
-    failUnlike();
+    const bool isStatic = i < statics;
+    const SceneCell first{ isStatic ? 0 : static_cast<std::uint32_t>(i - statics + 1),
+      isStatic ? ends[i] : 0 };
+    const SceneObject& object = objects[first.object];
+    const std::size_t whole = isStatic ? ends[i + 1] - ends[i]
+      : object.isPresent               ? object.material->numberOfCells
+                                       : 0;
+    check(parts[i] &&
+      static_cast<std::size_t>(parts[i]->GetNumberOfCells()) ==
+        (pieces_[i] ? pieces_[i]->size() : whole));
+    visit(parts[i], { first, pieces_[i] });
   }
 }
 

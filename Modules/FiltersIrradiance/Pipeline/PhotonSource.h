@@ -33,10 +33,6 @@ public:
   /// processes.
   static bool isEmptyPiece(vtkMultiBlockDataSet* data, vtkInformation* output);
 
-  /// Of an input port that takes such outputs: also any other data, which the constructor refuses
-  /// in words that help.
-  static void fillInputPort(vtkInformation* info);
-
   /// What the filter reads: stored photons, or no more than sums.
   enum class Need
   {
@@ -55,10 +51,6 @@ public:
   void forEachPart(vtkMultiBlockDataSet* data, const Visit& visit) const;
 
 private:
-  /// Throws InputError unless the polydata has as many cells as its piece, or as the part.
-  void checkCells(vtkPolyData* polyData, std::size_t part, std::size_t cellsOfPart) const;
-  [[noreturn]] void failUnlike() const;
-
   const char* what_;
   std::shared_ptr<IrradianceEngine> engine_;
   std::vector<PieceCells> pieces_;

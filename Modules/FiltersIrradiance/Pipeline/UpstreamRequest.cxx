@@ -3,6 +3,8 @@
 
 #include "vtkInformation.h"
 #include "vtkInformationIntegerRequestKey.h"
+#include "vtkInformationIntegerVectorKey.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <array>
 #include <cstddef>
@@ -12,6 +14,8 @@ namespace irradiance
 
 namespace
 {
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 /// VTK's key manager owns it: it lives as long as the program.
 class Key : public vtkInformationIntegerRequestKey
@@ -51,6 +55,30 @@ void request(vtkInformation* input, UpstreamRequest what, bool isNeeded)
 bool isRequested(vtkInformation* output, UpstreamRequest what)
 {
   return output->Has(keyOf(what)) != 0 && output->Get(keyOf(what)) == 1;
+}
+
+bool isEmptyPieceRequested(vtkInformation* output)
+{
+  auto* piece = Pipeline::UPDATE_PIECE_NUMBER();
+  return output->Has(piece) != 0 && output->Get(piece) > 0;
+}
+
+void requestWhole(vtkInformation* input)
+{
+  input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+  input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  if (auto* const whole = Pipeline::WHOLE_EXTENT(); input->Has(whole))
+  {
+    input->Set(Pipeline::UPDATE_EXTENT(), input->Get(whole), whole->Length(input));
+  }
+}
+
+void requestPiece(vtkInformation* input, const Ranks& ranks)
+{
+  requestWhole(input);
+  input->Set(Pipeline::UPDATE_PIECE_NUMBER(), static_cast<int>(ranks.rank()));
+  input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), static_cast<int>(ranks.count()));
 }
 
 }

@@ -7,8 +7,8 @@
 #include "vtkDataObject.h"
 
 #include <limits>
+#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace irradiance
@@ -24,8 +24,7 @@ public:
   virtual bool isDone() const = 0;
   /// The times that are needed next, in order, as far as they are known: 1 to `most`; not if done.
   virtual std::vector<double> nextTimes(std::size_t most) const = 0;
-  double nextTime() const { return nextTimes(1).front(); }
-  /// Takes the data of nextTime(). Throws InputError; then the integral is of no use any more.
+  /// Takes the data of the first of these. Throws InputError; then the integral is of no use any more.
   virtual void take(vtkDataObject* data) = 0;
   /// From 0 to 1.
   virtual double progress() const = 0;
@@ -38,36 +37,28 @@ public:
   /// The data of the last of them.
   vtkDataObject* last() const { return last_; }
   /// The estimated error of the integration over time, relative; NaN if there is no estimate.
-  virtual double relativeError() const { return std::numeric_limits<double>::quiet_NaN(); }
+  double relativeError() const { return relativeError_; }
   /// What looks like such an error, but is the noise of single photons, relative.
-  virtual double relativeNoise() const { return std::numeric_limits<double>::quiet_NaN(); }
+  double relativeNoise() const { return relativeNoise_; }
   /// A warning if not all is reached that was asked for, else empty.
-  virtual std::string shortfall() const { return ""; }
+  const std::string& shortfall() const { return shortfall_; }
 
 protected:
   ExposureSums sums_;
   std::vector<double> times_;
   vtkSmartPointer<vtkDataObject> last_;
+  double relativeError_ = std::numeric_limits<double>::quiet_NaN();
+  double relativeNoise_ = relativeError_;
+  std::string shortfall_;
 };
 
-/// The trapezoidal rule over given times, which are visited in order.
-class GivenTimesIntegral : public ExposureIntegral
-{
-public:
-  /// `times`: two or more, rising.
-  explicit GivenTimesIntegral(std::vector<double> times) { times_ = std::move(times); }
+/// The trapezoidal rule over given times, which are visited in order: two or more, rising.
+std::unique_ptr<ExposureIntegral> integralOver(std::vector<double> times);
 
-  bool isDone() const override { return next_ == times_.size(); }
-  std::vector<double> nextTimes(std::size_t most) const override;
-  void take(vtkDataObject* data) override;
-  double progress() const override
-  {
-    return static_cast<double>(next_) / static_cast<double>(times_.size());
-  }
-
-private:
-  std::size_t next_ = 0;
-};
+/// The trapezoidal rule over intervals that are halved until their error, as estimated, is small
+/// enough. `firstTimes`: in order, an odd number from 3 on.
+std::unique_ptr<ExposureIntegral> errorControlledIntegral(
+  std::vector<double> firstTimes, double tolerance, int mostIntervals);
 
 }
 

@@ -2,7 +2,6 @@
 #include "Time/ExposureSums.h"
 
 #include "Data/ArrayNames.h"
-#include "Data/CellValues.h"
 #include "Data/NamedArray.h"
 #include "Progress/InputError.h"
 #include "Time/SpreadableLeaf.h"
@@ -16,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <utility>
 
@@ -24,6 +24,9 @@ namespace irradiance
 
 namespace
 {
+
+using Leaf = ExposureSums::Leaf;
+using Side = ExposureSums::Side;
 
 bool hasCells(vtkDataSet* data)
 {
@@ -85,33 +88,7 @@ void checkStale(vtkFieldData* fields, double time)
   }
 }
 
-}
-
-void ExposureSums::checkStructure(const std::vector<LeafData>& leaves, double time)
-{
-  if (leaves_.empty())
-  {
-    firstTime_ = time;
-    for (const LeafData& leaf : leaves)
-    {
-      leaves_.emplace_back();
-      leaves_.back().name = leaf.name;
-      leaves_.back().flatIndex = leaf.flatIndex;
-    }
-  }
-  const bool isSame = std::equal(leaves.begin(), leaves.end(), leaves_.begin(), leaves_.end(),
-    [](const LeafData& a, const Leaf& b) { return a.flatIndex == b.flatIndex; });
-  if (!isSame)
-  {
-    throw InputError("the structure of the input differs: it has " +
-      std::to_string(leaves_.size()) + " blocks at time " + text(firstTime_) + " and " +
-      std::to_string(leaves.size()) + " blocks, or others, at time " + text(time) +
-      ". A part that is not there is an empty block");
-  }
-}
-
-ExposureSums::Side ExposureSums::newSide(
-  const std::string& leaf, const std::string& suffix, vtkDataSet* data)
+Side newSide(const std::string& leaf, const std::string& suffix, vtkDataSet* data)
 {
   const int bands = arrayOf(data, irradianceName(suffix))->GetNumberOfComponents();
   const auto values = static_cast<std::size_t>(bands * data->GetNumberOfCells());
@@ -134,7 +111,7 @@ ExposureSums::Side ExposureSums::newSide(
   return side;
 }
 
-std::vector<ExposureSums::Side> ExposureSums::sidesOf(const std::string& leaf, vtkDataSet* data)
+std::vector<Side> sidesOf(const std::string& leaf, vtkDataSet* data)
 {
   std::vector<Side> sides;
   for (const char* suffix : kSideSuffixes)
@@ -147,7 +124,7 @@ std::vector<ExposureSums::Side> ExposureSums::sidesOf(const std::string& leaf, v
   return sides;
 }
 
-void ExposureSums::begin(Leaf& leaf, vtkDataSet* data, double time)
+void begin(Leaf& leaf, vtkDataSet* data, double time)
 {
   leaf.firstTime = time;
   leaf.sides = sidesOf(leaf.name, data);
@@ -159,7 +136,7 @@ void ExposureSums::begin(Leaf& leaf, vtkDataSet* data, double time)
   }
 }
 
-void ExposureSums::checkCells(const Leaf& leaf, vtkDataSet* data, double time)
+void checkCells(const Leaf& leaf, vtkDataSet* data, double time)
 {
   if (leaf.geometry && leaf.geometry->GetNumberOfCells() != data->GetNumberOfCells())
   {
@@ -169,8 +146,7 @@ void ExposureSums::checkCells(const Leaf& leaf, vtkDataSet* data, double time)
   }
 }
 
-void ExposureSums::addSide(
-  const std::string& leaf, Side& side, vtkDataSet* data, double time, double weight)
+void addSide(const std::string& leaf, Side& side, vtkDataSet* data, double time, double weight)
 {
   const auto bands = static_cast<std::size_t>(side.bands);
   const auto array = [&](const std::string& name, std::size_t components) {
@@ -204,6 +180,142 @@ void ExposureSums::addSide(
     {
       side.errorBound[i] += weight * errors.get()[i];
     }
+  }
+}
+
+void endRuns(Leaf& leaf)
+{
+  for (Side& side : leaf.sides)
+  {
+    if (side.replicates)
+    {
+      side.replicates->endRuns();
+    }
+  }
+}
+
+/// Whether two sides have the same arrays.
+bool isAlike(const Side& a, const Side& b)
+{
+  return a.suffix == b.suffix && a.exposure.size() == b.exposure.size() &&
+    a.errorBound.size() == b.errorBound.size() &&
+    a.replicates.has_value() == b.replicates.has_value() &&
+    (!a.replicates || a.replicates->count() == b.replicates->count());
+}
+
+void appendSide(Side& side, const Side& next, bool isShared)
+{
+  const auto add = [](const std::vector<double>& more, std::vector<double>& sum) {
+    std::transform(sum.begin(), sum.end(), more.begin(), sum.begin(), std::plus<>());
+  };
+  add(next.exposure, side.exposure);
+  add(next.errorBound, side.errorBound);
+  if (side.replicates)
+  {
+    side.replicates->append(*next.replicates, isShared);
+  }
+}
+
+/// Front and back are spread together, as surfaces that are turned over may go on as each other;
+/// one of them alone would lose energy to the other, and stays as it is.
+void spreadLeaf(Leaf& leaf, double photons, Execution& execution)
+{
+  const ExposedSurface surface = surfaceOf(leaf.name, leaf.geometry, cancelPointOf(execution, 0));
+  std::vector<ExposedSide> halves;
+  for (Side& side : leaf.sides)
+  {
+    const ExposedSide exposed{ &side.exposure, &side.replicates.value() };
+    if (side.suffix.empty())
+    {
+      spreadExposure(surface, side.bands, { exposed }, photons, execution);
+    }
+    else
+    {
+      halves.push_back(exposed);
+    }
+  }
+  if (halves.size() == 2 && halves[0].exposure->size() == halves[1].exposure->size() &&
+    halves[0].replicates->count() == halves[1].replicates->count())
+  {
+    spreadExposure(surface, leaf.sides.back().bands, halves, photons, execution);
+  }
+}
+
+/// The arrays that the output does not have; they would fill memory.
+void removeInput(const Side& side, vtkDataSet* data)
+{
+  for (const std::string& name : { irradianceName(side.suffix), errorName(side.suffix),
+         replicatesName(side.suffix), photonName(side.suffix), staleName(side.suffix) })
+  {
+    data->GetCellData()->RemoveArray(name.c_str());
+  }
+}
+
+void writeSide(const Side& side, vtkDataSet* data)
+{
+  const auto add = [&](const std::string& name, const auto& value) {
+    const auto array =
+      addArray<vtkDoubleArray>(data->GetCellData(), name, side.bands, data->GetNumberOfCells());
+    for (std::size_t i = 0; i < side.exposure.size(); ++i)
+    {
+      array->SetValue(static_cast<vtkIdType>(i), value(i));
+    }
+  };
+  removeInput(side, data);
+  const std::string name = exposureName(side.suffix);
+  add(name, [&](std::size_t i) { return side.exposure[i]; });
+  if (side.replicates)
+  {
+    add(standardErrorName(name),
+      [&](std::size_t i) { return side.replicates->standardError(i, side.exposure[i]); });
+  }
+  if (!side.errorBound.empty())
+  {
+    add(standardErrorName(name), [&](std::size_t i) { return side.errorBound[i]; });
+  }
+}
+
+vtkSmartPointer<vtkDataSet> written(const Leaf& leaf, vtkDataSet* last)
+{
+  vtkDataSet* source = leaf.geometry ? leaf.geometry.Get() : last;
+  if (!source)
+  {
+    return nullptr;
+  }
+  auto data = vtk::TakeSmartPointer(source->NewInstance());
+  data->ShallowCopy(source);
+  data->GetInformation()->Remove(vtkDataObject::DATA_TIME_STEP());
+  // A leaf that never had cells has arrays as the others, of no length.
+  for (const Side& side : leaf.geometry ? leaf.sides : sidesOf(leaf.name, source))
+  {
+    writeSide(side, data);
+  }
+  data->GetCellData()->SetActiveScalars(exposureName().c_str());
+  return data;
+}
+
+}
+
+void ExposureSums::checkStructure(const std::vector<LeafData>& leaves, double time)
+{
+  if (leaves_.empty())
+  {
+    firstTime_ = time;
+    for (const LeafData& leaf : leaves)
+    {
+      leaves_.emplace_back();
+      leaves_.back().name = leaf.name;
+      leaves_.back().flatIndex = leaf.flatIndex;
+    }
+  }
+  const bool isSame = std::equal(leaves.begin(), leaves.end(), leaves_.begin(), leaves_.end(),
+    [](const LeafData& a, const Leaf& b) { return a.flatIndex == b.flatIndex; });
+  if (!isSame)
+  {
+    throw InputError("the structure of the input differs: it has " +
+      std::to_string(leaves_.size()) + " blocks at time " + text(firstTime_) + " and " +
+      std::to_string(leaves.size()) + " blocks, or others, at time " + text(time) +
+      ". A part that is not there is an empty block");
   }
 }
 
@@ -243,46 +355,11 @@ void ExposureSums::add(const TimedData& input, double weight)
   energies_.add(data->GetFieldData(), weight);
 }
 
-void ExposureSums::endRuns(Leaf& leaf)
-{
-  for (Side& side : leaf.sides)
-  {
-    if (side.replicates)
-    {
-      side.replicates->endRuns();
-    }
-  }
-}
-
 void ExposureSums::close()
 {
   for (Leaf& leaf : leaves_)
   {
     endRuns(leaf);
-  }
-}
-
-bool ExposureSums::isAlike(const Side& a, const Side& b)
-{
-  return a.suffix == b.suffix && a.exposure.size() == b.exposure.size() &&
-    a.errorBound.size() == b.errorBound.size() &&
-    a.replicates.has_value() == b.replicates.has_value() &&
-    (!a.replicates || a.replicates->count() == b.replicates->count());
-}
-
-void ExposureSums::appendSide(Side& side, const Side& next, bool isShared)
-{
-  for (std::size_t i = 0; i < side.exposure.size(); ++i)
-  {
-    side.exposure[i] += next.exposure[i];
-  }
-  for (std::size_t i = 0; i < side.errorBound.size(); ++i)
-  {
-    side.errorBound[i] += next.errorBound[i];
-  }
-  if (side.replicates)
-  {
-    side.replicates->append(*next.replicates, isShared);
   }
 }
 
@@ -297,8 +374,8 @@ void ExposureSums::append(ExposureSums next)
     }
     else if (later.geometry)
     {
-      if (!std::equal(leaf.sides.begin(), leaf.sides.end(), later.sides.begin(), later.sides.end(),
-            &ExposureSums::isAlike))
+      if (!std::equal(
+            leaf.sides.begin(), leaf.sides.end(), later.sides.begin(), later.sides.end(), isAlike))
       {
         throw InputError(leaf.name +
           " has other cell arrays of irradiance or of its errors at time " + text(later.firstTime) +
@@ -315,31 +392,6 @@ void ExposureSums::append(ExposureSums next)
   energies_.append(next.energies_);
 }
 
-/// Front and back are spread together, as surfaces that are turned over may go on as each other;
-/// one of them alone would lose energy to the other, and stays as it is.
-void ExposureSums::spreadLeaf(Leaf& leaf, double photons, Execution& execution)
-{
-  const ExposedSurface surface = surfaceOf(leaf.name, leaf.geometry, cancelPointOf(execution, 0));
-  std::vector<ExposedSide> halves;
-  for (Side& side : leaf.sides)
-  {
-    const ExposedSide exposed{ &side.exposure, &side.replicates.value() };
-    if (side.suffix.empty())
-    {
-      spreadExposure(surface, side.bands, { exposed }, photons, execution);
-    }
-    else
-    {
-      halves.push_back(exposed);
-    }
-  }
-  if (halves.size() == 2 && halves[0].exposure->size() == halves[1].exposure->size() &&
-    halves[0].replicates->count() == halves[1].replicates->count())
-  {
-    spreadExposure(surface, leaf.sides.back().bands, halves, photons, execution);
-  }
-}
-
 void ExposureSums::spread(double photons, Execution& execution)
 {
   for (Leaf& leaf : leaves_)
@@ -351,59 +403,6 @@ void ExposureSums::spread(double photons, Execution& execution)
       spreadLeaf(leaf, photons, execution);
     }
   }
-}
-
-/// The arrays that the output does not have; they would fill memory.
-void ExposureSums::removeInput(const Side& side, vtkDataSet* data)
-{
-  for (const std::string& name : { irradianceName(side.suffix), errorName(side.suffix),
-         replicatesName(side.suffix), photonName(side.suffix), staleName(side.suffix) })
-  {
-    data->GetCellData()->RemoveArray(name.c_str());
-  }
-}
-
-void ExposureSums::writeSide(const Side& side, vtkDataSet* data)
-{
-  const auto add = [&](const std::string& name, const auto& value) {
-    const auto array =
-      addArray<vtkDoubleArray>(data->GetCellData(), name, side.bands, data->GetNumberOfCells());
-    for (std::size_t i = 0; i < side.exposure.size(); ++i)
-    {
-      array->SetValue(static_cast<vtkIdType>(i), value(i));
-    }
-  };
-  removeInput(side, data);
-  const std::string name = exposureName(side.suffix);
-  add(name, [&](std::size_t i) { return side.exposure[i]; });
-  if (side.replicates)
-  {
-    add(standardErrorName(name),
-      [&](std::size_t i) { return side.replicates->standardError(i, side.exposure[i]); });
-  }
-  if (!side.errorBound.empty())
-  {
-    add(standardErrorName(name), [&](std::size_t i) { return side.errorBound[i]; });
-  }
-}
-
-vtkSmartPointer<vtkDataSet> ExposureSums::written(const Leaf& leaf, vtkDataSet* last)
-{
-  vtkDataSet* source = leaf.geometry ? leaf.geometry.Get() : last;
-  if (!source)
-  {
-    return nullptr;
-  }
-  auto data = vtk::TakeSmartPointer(source->NewInstance());
-  data->ShallowCopy(source);
-  data->GetInformation()->Remove(vtkDataObject::DATA_TIME_STEP());
-  // A leaf that never had cells has arrays as the others, of no length.
-  for (const Side& side : leaf.geometry ? leaf.sides : sidesOf(leaf.name, source))
-  {
-    writeSide(side, data);
-  }
-  data->GetCellData()->SetActiveScalars(exposureName().c_str());
-  return data;
 }
 
 bool ExposureSums::haveCells() const

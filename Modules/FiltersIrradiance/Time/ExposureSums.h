@@ -28,24 +28,6 @@ struct TimedData
 class ExposureSums
 {
 public:
-  /// Adds the irradiance of a time. Throws InputError if it is missing, or does not fit to the
-  /// irradiance of other times; then the sums are of no use any more.
-  void add(const TimedData& input, double weight);
-  /// No more times are added; what only adding needs is released.
-  void close();
-  /// Lets small cells draw on about `photons` photons, on the average of their leaf, as it was at
-  /// its last time with cells; see spreadExposure(). The last thing before write(). Leaves that are
-  /// not spreadable stay as they are.
-  void spread(double photons, Execution& execution);
-  /// Appends the sums over later times of the same input, whose first time is the last one of
-  /// these.
-  void append(ExposureSums next);
-  /// Whether there was a cell at any time.
-  bool haveCells() const;
-  /// `last`: the data of the last time; `output`: empty, of the same type.
-  void write(vtkDataObject* last, vtkDataObject* output) const;
-
-private:
   /// One of the arrays that are summed up.
   struct Side
   {
@@ -64,21 +46,25 @@ private:
     std::vector<Side> sides;
   };
 
+  /// Adds the irradiance of a time. Throws InputError if it is missing, or does not fit to the
+  /// irradiance of other times; then the sums are of no use any more.
+  void add(const TimedData& input, double weight);
+  /// No more times are added; what only adding needs is released.
+  void close();
+  /// Lets small cells draw on about `photons` photons, on the average of their leaf, as it was at
+  /// its last time with cells; see spreadExposure(). The last thing before write(). Leaves that are
+  /// not spreadable stay as they are.
+  void spread(double photons, Execution& execution);
+  /// Appends the sums over later times of the same input, whose first time is the last one of
+  /// these.
+  void append(ExposureSums next);
+  /// Whether there was a cell at any time.
+  bool haveCells() const;
+  /// `last`: the data of the last time; `output`: empty, of the same type.
+  void write(vtkDataObject* last, vtkDataObject* output) const;
+
+private:
   void checkStructure(const std::vector<LeafData>& leaves, double time);
-  static void begin(Leaf& leaf, vtkDataSet* data, double time);
-  static void checkCells(const Leaf& leaf, vtkDataSet* data, double time);
-  static Side newSide(const std::string& leaf, const std::string& suffix, vtkDataSet* data);
-  static std::vector<Side> sidesOf(const std::string& leaf, vtkDataSet* data);
-  static void addSide(
-    const std::string& leaf, Side& side, vtkDataSet* data, double time, double weight);
-  /// Whether two sides have the same arrays.
-  static bool isAlike(const Side& a, const Side& b);
-  static void endRuns(Leaf& leaf);
-  static void appendSide(Side& side, const Side& next, bool isShared);
-  static void spreadLeaf(Leaf& leaf, double photons, Execution& execution);
-  static void removeInput(const Side& side, vtkDataSet* data);
-  static void writeSide(const Side& side, vtkDataSet* data);
-  static vtkSmartPointer<vtkDataSet> written(const Leaf& leaf, vtkDataSet* last);
 
   std::vector<Leaf> leaves_;
   double firstTime_ = 0;

@@ -26,7 +26,7 @@ ExposedSurface surfaceOf(const std::string& name, vtkDataSet* leaf, const Cancel
   ConvertedPolyData cells(1);
   vtkPolyData* surface = vtkPolyData::SafeDownCast(leaf);
   cells.reserve({ surface });
-  PolyDataConverter(name, surface, {}, 0, cells, cancelPoint).convert();
+  convertPolyData(name, surface, {}, 0, cells, cancelPoint);
   return { std::move(cells.triangles), std::move(cells.material.cellOfTriangle),
     cells.material.numberOfCells };
 }

@@ -1,25 +1,62 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Time/TimeKeys.h"
 
+#include "Progress/InputError.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkAlgorithmOutput.h"
+#include "vtkDataObject.h"
+#include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 namespace irradiance
 {
 
-using Pipeline = vtkStreamingDemandDrivenPipeline;
-
 namespace
 {
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 void sortOnce(std::vector<double>& times)
 {
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
+}
+
+std::string rangeText(const TimeSpan& span)
+{
+  return text(span.start) + " to " + text(span.end);
+}
+
+void checkWithin(const char* name, double time, const TimeSpan& range)
+{
+  if (!(time >= range.start && time <= range.end))
+  {
+    throw InputError(std::string(name) + " is " + text(time) +
+      ", outside of the input's times, which are " + rangeText(range));
+  }
+}
+
+/// The time that data say to be of. Files have some times alone, and take the nearest. Data that do
+/// not change over time (no TIME_RANGE) are of any time.
+double givenTime(vtkInformation* input, double time)
+{
+  vtkDataObject* data = vtkDataObject::GetData(input);
+  auto* key = vtkDataObject::DATA_TIME_STEP();
+  return input->Has(Pipeline::TIME_RANGE()) && data && data->GetInformation()->Has(key)
+    ? data->GetInformation()->Get(key)
+    : time;
+}
+
+bool isOfTime(vtkInformation* input, double time, const TimeSpan& span)
+{
+  constexpr double rounding = 1e-9;
+  return std::abs(givenTime(input, time) - time) <= rounding * (span.end - span.start);
 }
 
 }
@@ -35,57 +72,162 @@ std::vector<double> stepsOf(vtkInformation* input)
   return steps;
 }
 
-TimeKeys::TimeKeys(vtkInformationVector** inputs, int ports)
-  : first_(std::numeric_limits<double>::infinity())
-  , last_(-first_)
+void uniteTimes(vtkInformationVector** inputs, int ports, vtkInformationVector* outputs,
+  std::vector<double> steps)
 {
+  double range[2] = { HUGE_VAL, -HUGE_VAL };
+  const auto extend = [&range](double first, double last) {
+    range[0] = std::min(range[0], first);
+    range[1] = std::max(range[1], last);
+  };
   for (int port = 0; port < ports; ++port)
   {
     for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
     {
       vtkInformation* input = inputs[port]->GetInformationObject(i);
-      addSteps(stepsOf(input));
-      if (const double* range = input->Get(Pipeline::TIME_RANGE()))
+      const std::vector<double> own = stepsOf(input);
+      steps.insert(steps.end(), own.begin(), own.end());
+      if (const double* given = input->Get(Pipeline::TIME_RANGE()))
       {
-        addRange(range[0], range[1]);
+        extend(given[0], given[1]);
       }
     }
   }
-}
-
-void TimeKeys::addSteps(const std::vector<double>& steps)
-{
-  steps_.insert(steps_.end(), steps.begin(), steps.end());
-  for (const double step : steps)
+  sortOnce(steps);
+  if (!steps.empty())
   {
-    addRange(step, step);
+    extend(steps.front(), steps.back());
   }
-}
-
-void TimeKeys::addRange(double first, double last)
-{
-  first_ = std::min(first_, first);
-  last_ = std::max(last_, last);
-}
-
-void TimeKeys::write(vtkInformationVector* outputs)
-{
-  sortOnce(steps_);
-  const double range[2] = { first_, last_ };
   for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
   {
     vtkInformation* output = outputs->GetInformationObject(port);
     output->Remove(Pipeline::TIME_STEPS());
     output->Remove(Pipeline::TIME_RANGE());
-    if (!steps_.empty())
+    if (!steps.empty())
     {
-      output->Set(Pipeline::TIME_STEPS(), steps_.data(), static_cast<int>(steps_.size()));
+      output->Set(Pipeline::TIME_STEPS(), steps.data(), static_cast<int>(steps.size()));
     }
-    if (first_ <= last_)
+    if (range[0] <= range[1])
     {
       output->Set(Pipeline::TIME_RANGE(), range, 2);
     }
   }
+}
+
+TimeSpan timeSpan(vtkInformation* input, double startTime, double endTime)
+{
+  auto* key = Pipeline::TIME_RANGE();
+  const std::vector<double> times = stepsOf(input);
+  TimeSpan range{ -HUGE_VAL, HUGE_VAL };
+  if (input->Has(key) && input->Length(key) == 2)
+  {
+    range = { input->Get(key)[0], input->Get(key)[1] };
+  }
+  else if (!times.empty())
+  {
+    range = { times.front(), times.back() };
+  }
+  else if (!std::isfinite(startTime) || !std::isfinite(endTime))
+  {
+    throw InputError("StartTime is " + text(startTime) + " and EndTime is " + text(endTime) +
+      ", but the input has no times (TIME_RANGE or TIME_STEPS) that could tell how long the "
+      "exposure lasts: give both, or move something over time");
+  }
+  const TimeSpan span{ std::isnan(startTime) ? range.start : startTime,
+    std::isnan(endTime) ? range.end : endTime };
+  checkWithin("StartTime", span.start, range);
+  checkWithin("EndTime", span.end, range);
+  if (!(span.start < span.end))
+  {
+    throw InputError("the limits are the wrong way round, or equal: StartTime is " +
+      text(span.start) + ", EndTime is " + text(span.end) + " (the input's times are " +
+      rangeText(range) + ")");
+  }
+  return span;
+}
+
+std::vector<double> stepTimes(vtkInformation* input, const TimeSpan& span)
+{
+  const std::vector<double> steps = stepsOf(input);
+  if (steps.size() < 2)
+  {
+    throw InputError("IntegrationMode is TimeSteps, but the input has " +
+      std::to_string(steps.size()) +
+      " TIME_STEPS, and 2 at least are needed: choose Uniform or ErrorControlled");
+  }
+  if (std::none_of(steps.begin(), steps.end(),
+        [&](double step) { return step >= span.start && step <= span.end; }))
+  {
+    throw InputError("none of the input's TIME_STEPS is within " + rangeText(span) +
+      " (StartTime to EndTime), so IntegrationMode TimeSteps is not possible");
+  }
+  return timesWithin(steps, span);
+}
+
+std::optional<double> timeBetweenSteps(vtkInformation* input, const TimeSpan& span)
+{
+  const std::vector<double> steps = stepsOf(input);
+  if (steps.empty())
+  {
+    return std::nullopt;
+  }
+  return middleOf(span.start, timesWithin(steps, span)[1]);
+}
+
+void checkTime(vtkInformation* input, double time, const TimeSpan& span)
+{
+  if (!isOfTime(input, time, span))
+  {
+    throw InputError("the input was asked for time " + text(time) + ", but came with that of " +
+      text(givenTime(input, time)) +
+      ": choose IntegrationMode TimeSteps with StartTime and EndTime among the TIME_STEPS, or put "
+      "a vtkTemporalInterpolator before this filter");
+  }
+}
+
+bool comesAtStepsOnly(vtkExecutive* executive, int port, const TimeSpan& span)
+{
+  vtkInformation* output = executive->GetOutputInformation(port);
+  auto* asked = Pipeline::UPDATE_TIME_STEP();
+  if (output->Has(asked) && !isOfTime(output, output->Get(asked), span))
+  {
+    return true;
+  }
+  vtkAlgorithm* algorithm = executive->GetAlgorithm();
+  for (int input = 0; input < algorithm->GetNumberOfInputPorts(); ++input)
+  {
+    for (int i = 0; i < algorithm->GetNumberOfInputConnections(input); ++i)
+    {
+      vtkAlgorithmOutput* from = algorithm->GetInputConnection(input, i);
+      if (from && comesAtStepsOnly(from->GetProducer()->GetExecutive(), from->GetIndex(), span))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool forgetAborted(vtkExecutive* executive)
+{
+  bool isAborted = executive->GetAlgorithm()->GetAbortExecute() != 0;
+  executive->GetAlgorithm()->SetAbortExecute(0); // VTK 9.3 would abort again
+  for (int port = 0; port < executive->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < executive->GetNumberOfInputConnections(port); ++i)
+    {
+      vtkExecutive* input = executive->GetInputExecutive(port, i);
+      isAborted = (input && forgetAborted(input)) || isAborted;
+    }
+  }
+  for (int port = 0; isAborted && port < executive->GetNumberOfOutputPorts(); ++port)
+  {
+    if (vtkDataObject* data = executive->GetOutputData(port))
+    {
+      data->GetInformation()->Remove(vtkDataObject::DATA_TIME_STEP());
+    }
+  }
+  return isAborted;
 }
 
 }

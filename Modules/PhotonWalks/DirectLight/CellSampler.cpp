@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectLight/CellSampler.h"
 
-#include "Lights/LitPoint.h"
+#include "Lights/SeenLight.h"
 #include "Sampling/DirectionSampling.h"
 #include "Sampling/SphericalTriangle.h"
 #include "Sampling/SplitMix.h"
@@ -66,7 +66,7 @@ void CellSampler::setCell(std::size_t cell)
   net_ = SobolNet(seed);
 }
 
-CellSampler::Squares CellSampler::squares(std::uint32_t number) const
+std::pair<CellSampler::Square, CellSampler::Square> CellSampler::squares(std::uint32_t number) const
 {
   if (plan_.samplesOf(cell_) < kOneNet)
   {
@@ -74,7 +74,7 @@ CellSampler::Squares CellSampler::squares(std::uint32_t number) const
       SobolPoint::inUnitSquare(number, lightKeys_) };
   }
   const SobolNet::Point point = net_.inUnitCube(number);
-  return { { point[0], point[1] }, { point[2], point[3] } };
+  return { Square{ point[0], point[1] }, Square{ point[2], point[3] } };
 }
 
 DirectSample CellSampler::sample(std::uint32_t number) const
@@ -112,14 +112,14 @@ const CellSampler::Part& CellSampler::choosePart(double& u) const
 void CellSampler::gather(
   const Part& part, Square onCell, Square onLight, DirectSample& sample) const
 {
-  const LampChoice::Choice choice = choice_.choose(onLight[0]);
+  const WeightChoice choice = choice_.choose(onLight[0]);
   onLight[0] = choice.rest;
-  const LampPiece& lamp = lamps_[choice.piece];
+  const LampPiece& lamp = lamps_[choice.place];
   sample.light = lamp.light;
   gatherFrom(lamp, part, onCell, onLight, sample);
   const bool isTouching =
     std::find(part.touching.begin(), part.touching.end(), lamp.light) != part.touching.end();
-  sample.part = isTouching ? 0 : lamp.share * sample.part / choice.probability;
+  sample.part = isTouching ? 0 : lamp.share * sample.part / choice.weight;
 }
 
 SurfacePoint CellSampler::cellPoint(const Part& part, const Vector3& weights, DirectSample& sample)
@@ -165,7 +165,9 @@ void CellSampler::gatherFrom(const LampPiece& lamp, const Part& part, Square onC
   }
   sample.part *= from.perSteradian(to);
   sample.from = from.origin();
-  arrive(to, sample);
+  to.turn(to.normal.dot(sample.from - to.position) >= 0);
+  sample.isFront = to.isFront;
+  sample.to = to.clearPosition();
 }
 
 /// The point is chosen on the cell, or on the lights if these are smaller: else hardly a sample
@@ -218,13 +220,6 @@ void CellSampler::cross(std::uint32_t light, const Vector3& weights, const Surfa
   sample.from = start.clearPosition();
   sample.to = sample.from + start.normal;
   sample.isFront = onCell.normal.dot(start.normal) < 0;
-}
-
-void CellSampler::arrive(SurfacePoint point, DirectSample& sample)
-{
-  point.turn(point.normal.dot(sample.from - point.position) >= 0);
-  sample.isFront = point.isFront;
-  sample.to = point.clearPosition();
 }
 
 }

@@ -7,6 +7,7 @@
 #include "Sampling/SobolNet.h"
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace irradiance
@@ -63,18 +64,12 @@ private:
   /// Samples of a cell from which on one net is better than two.
   static constexpr std::uint32_t kOneNet = 64;
 
-  /// The coordinates of a sample.
-  struct Squares
-  {
-    Square onCell, onLight;
-  };
-  Squares squares(std::uint32_t number) const;
+  /// The coordinates of a sample, on the cell and on the light.
+  std::pair<Square, Square> squares(std::uint32_t number) const;
   /// The triangle that a coordinate chooses by area. The coordinate becomes what the choice left of
   /// it.
   const Part& choosePart(double& u) const;
   static SurfacePoint cellPoint(const Part& part, const Vector3& weights, DirectSample& sample);
-  /// Turns the point of the cell to where the light is.
-  static void arrive(SurfacePoint point, DirectSample& sample);
   // Each sets all of the sample but the triangle; `part` as if it were the only sample.
   void gather(const Part& part, Square onCell, Square onLight, DirectSample& sample) const;
   void gatherFrom(const LampPiece& lamp, const Part& part, Square onCell, Square onLight,

@@ -38,16 +38,6 @@ bool isFlat(const CellShape& shape)
   return shape.normal.norm() >= 1 - 1e-12;
 }
 
-std::vector<Box> boundsOf(const LightTable& lights)
-{
-  std::vector<Box> bounds;
-  for (const Light& light : lights.lights())
-  {
-    bounds.push_back(light.bounds());
-  }
-  return bounds;
-}
-
 }
 
 void markInnerSides(CellShapes& cells, const Frame& frame, const std::vector<Box>& lights)
@@ -86,13 +76,14 @@ void markOuterSides(CellShapes& cells, const Box& bounds)
 
 void markDarkSides(CellShapes& cells, const Frame& frame, const LightTable& lights)
 {
-  const std::vector<Box> each = boundsOf(lights);
-  markInnerSides(cells, frame, each);
+  std::vector<Box> each;
   Box bounds;
-  for (const Box& light : each)
+  for (const Light& light : lights.lights())
   {
-    bounds.add(light);
+    each.push_back(light.bounds());
+    bounds.add(each.back());
   }
+  markInnerSides(cells, frame, each);
   for (std::size_t cell = 0; cell < cells.size(); ++cell)
   {
     const CellShape& shape = cells[cell];

@@ -25,9 +25,8 @@ void markOuterSides(CellShapes& cells, const Box& bounds);
 
 /**
  * Marks the sides of cells to which no light can come straight from the lights of a table, whatever
- * stands where: the inner sides of closed dynamic shells that are proven to be simple, in objects
- * whose bounds have no light in them, and the outer ones of their flat cells that turn away from
- * all lights.
+ * stands where: as markInnerSides(), and the outer sides of these cells where they are flat and
+ * turn away from all lights.
  */
 void markDarkSides(CellShapes& cells, const Frame& frame, const LightTable& lights);
 

@@ -2,6 +2,7 @@
 #include "DirectLight/DirectGather.h"
 
 #include "DirectLight/DarkSides.h"
+#include "Sampling/SplitMix.h"
 
 #include <algorithm>
 
@@ -30,6 +31,27 @@ DirectLight& gathered(DirectLight& light, const Frame& frame, Execution& executi
 
 }
 
+std::vector<CellPart> cellParts(const SceneObjects& objects)
+{
+  constexpr std::size_t kMostDynamic = 8;
+  constexpr std::size_t kMostCells = std::size_t{ 1 } << 19; // of the sums of all dynamic parts
+  std::size_t cells = 1;
+  for (std::uint32_t i = 0; i < objects.size(); ++i)
+  {
+    cells += objects[i].material->numberOfCells;
+  }
+  const std::size_t dynamic = objects.dynamicObjects.size();
+  const std::size_t parts =
+    std::min({ dynamic, kMostDynamic, std::max<std::size_t>(1, kMostCells / cells) });
+  std::vector<CellPart> all(1);
+  for (std::size_t i = 0; i < parts; ++i)
+  {
+    all.push_back({ static_cast<std::uint32_t>(1 + i * dynamic / parts),
+      static_cast<std::uint32_t>(1 + (i + 1) * dynamic / parts) });
+  }
+  return all;
+}
+
 DirectGather::DirectGather(
   const Frame& frame, const LampPieces& lamps, const Settings& settings, Execution& execution)
   : settings_(settings)
@@ -39,7 +61,7 @@ DirectGather::DirectGather(
       static_cast<double>(lamps.lights().quantaPerWalk()) * settings.walks / lamps.lights().flux())
   , cells_(shapesOf(frame, lamps.lights(), settings.part, cancelPointOf(execution, 0)))
   , plan_(cells_, lamps_,
-      { settings.walks, settings.density, settings.replicates,
+      { settings.walks, settings.walksPerSample, settings.fewest, settings.replicates,
         static_cast<double>(lamps.lights().quantaPerWalk()) /
           static_cast<double>(settings.quantaPerWalk) },
       cancelPointOf(execution, 0))
@@ -49,10 +71,10 @@ DirectGather::DirectGather(
 {
 }
 
-void DirectGather::addTo(CellSums& sums, PowerBalance& balance, const DealtBlocks& dealt, int sign,
-  const CancelPoint& cancelPoint) const
+void DirectGather::addTo(const Totals& totals, int sign, const CancelPoint& cancelPoint) const
 {
-  if (settings_.part.isStatic() && dealt.contains(0))
+  PowerBalance& balance = totals.balance;
+  if (settings_.part.isStatic() && totals.dealt.contains(0))
   {
     for (const Light& light : lamps_.lights().lights())
     {
@@ -65,22 +87,25 @@ void DirectGather::addTo(CellSums& sums, PowerBalance& balance, const DealtBlock
       }
     }
   }
-  count(light_.addTo(sums, settings_.round, sign, dealt, cancelPoint), balance);
+  count(light_.addTo(totals.sums, settings_.round, sign, totals.dealt, cancelPoint), balance);
 }
 
-void DirectGather::change(const std::vector<std::uint32_t>& samples, CellSums& sums,
-  PowerBalance& balance, const DealtBlocks& dealt) const
+std::vector<std::uint32_t> DirectGather::follow(
+  const Frame& frame, const Totals& totals, Execution& execution)
 {
+  const std::vector<std::uint32_t> samples = light_.follow(frame, execution);
   for (const std::uint32_t number : samples)
   {
     const std::size_t cell = plan_.cellOf(number);
-    if (dealt.contains(cell))
+    if (totals.dealt.contains(cell))
     {
       const TriangleId id = triangles_.idOf(light_.samples()[number].triangle);
       const int sign = light_.isVisible(number) ? 1 : -1;
-      count(light_.add(number, cell, sums.cellOf(id), sign, sums, settings_.round), balance);
+      count(light_.add(number, cell, totals.sums.cellOf(id), sign, totals.sums, settings_.round),
+        totals.balance);
     }
   }
+  return starts_.walksOf(samples);
 }
 
 void DirectGather::count(const Power& power, PowerBalance& balance)
@@ -89,6 +114,41 @@ void DirectGather::count(const Power& power, PowerBalance& balance)
   balance.escaped -= power;
   balance.unmet -= power;
   balance.received += power.total();
+}
+
+void DirectRounds::append(
+  const Frame& frame, const LampPieces& lamps, std::uint32_t walks, Execution& execution)
+{
+  DirectGather::Settings its = settings_;
+  its.walks = walks;
+  its.round = rounds_.size();
+  its.firstWalk = plan_.endWalk();
+  its.seed = its.round == 0 ? settings_.seed : splitMix(settings_.seed + its.round);
+  rounds_.push_back(std::make_unique<DirectGather>(frame, lamps, its, execution));
+  plan_.addRound(rounds_.back()->starts().size());
+}
+
+void DirectRounds::drop(
+  std::size_t kept, const DirectGather::Totals& totals, const CancelPoint& cancelPoint)
+{
+  while (rounds_.size() > kept)
+  {
+    rounds_.back()->addTo(totals, -1, cancelPoint);
+    rounds_.pop_back();
+  }
+  plan_.dropRounds(kept);
+}
+
+std::vector<std::uint32_t> DirectRounds::follow(
+  const Frame& frame, const DirectGather::Totals& totals, Execution& execution)
+{
+  std::vector<std::uint32_t> walks;
+  for (const std::unique_ptr<DirectGather>& light : rounds_)
+  {
+    const std::vector<std::uint32_t> some = light->follow(frame, totals, execution);
+    walks.insert(walks.end(), some.begin(), some.end());
+  }
+  return walks;
 }
 
 }

@@ -85,11 +85,8 @@ void DirectLight::gather(const Frame& frame, Execution& execution)
       firsts.push_back(cell);
     }
   }
-  SlicedPass pass{ firsts.size() - 1, [&](std::size_t unit, const Deadline&) {
-                    gatherCells(frame, firsts[unit], firsts[unit + 1]);
-                    return true;
-                  } };
-  pass.run(execution);
+  forEachSliced(firsts.size() - 1, execution,
+    [&](std::size_t unit) { gatherCells(frame, firsts[unit], firsts[unit + 1]); });
 }
 
 void DirectLight::gatherCells(const Frame& frame, std::size_t first, std::size_t end)
@@ -160,15 +157,6 @@ Bands DirectLight::variance() const
   return sum;
 }
 
-/// Whether what a sample starts or ends at has a contact that a motion may have made: then a hit is
-/// decided otherwise than before, also far from what moved.
-bool DirectLight::touchesDynamic(const Frame& frame, const DirectSample& sample) const
-{
-  return sample.part > 0 &&
-    (frame.contacts.hasDynamic(lamps_.lights()[sample.light].triangle()) ||
-      frame.contacts.hasDynamic(frame.triangles.idOf(sample.triangle)));
-}
-
 /// A ray ends where its length is 1.
 std::vector<DirectLight::View> DirectLight::viewsOf(
   const Frame& frame, const std::vector<std::uint32_t>& samples) const
@@ -219,7 +207,10 @@ bool DirectLight::mayChange(
   const DirectSample& sample = samples_[number];
   if (view == kFree)
   {
-    return touchesDynamic(frame, sample) ||
+    // A contact that a motion may have made at either end decides a hit otherwise than before, also
+    // far from what moved.
+    return frame.contacts.hasDynamic(lamps_.lights()[sample.light].triangle()) ||
+      frame.contacts.hasDynamic(frame.triangles.idOf(sample.triangle)) ||
       std::any_of(
         boxes.begin(), boxes.end(), [&](const Box& box) { return mayTouch(sample, box); });
   }
@@ -232,8 +223,7 @@ std::vector<std::uint32_t> DirectLight::follow(const Frame& frame, Execution& ex
   const auto all = static_cast<std::uint32_t>(samples_.size());
   const std::size_t units = (all + kSamplesTogether - 1) / kSamplesTogether;
   std::vector<std::vector<std::uint32_t>> flipped(units);
-  SlicedPass pass{ units, {} };
-  pass.work = [&](std::size_t unit, const Deadline&) {
+  forEachSliced(units, execution, [&](std::size_t unit) {
     const auto first = static_cast<std::uint32_t>(unit) * kSamplesTogether;
     std::vector<std::uint32_t> suspects;
     for (std::uint32_t i = first; i < std::min(first + kSamplesTogether, all); ++i)
@@ -253,9 +243,7 @@ std::vector<std::uint32_t> DirectLight::follow(const Frame& frame, Execution& ex
         flipped[unit].push_back(suspects[i]);
       }
     }
-    return true;
-  };
-  pass.run(execution);
+  });
   std::vector<std::uint32_t> together;
   for (const std::vector<std::uint32_t>& some : flipped)
   {

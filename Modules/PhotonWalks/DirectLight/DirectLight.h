@@ -4,7 +4,7 @@
 
 #include "DirectLight/CellSampler.h"
 #include "Execution/Execution.h"
-#include "Sampling/DealtBlocks.h"
+#include "Sampling/WalkPlan.h"
 #include "Tally/CellSums.h"
 
 #include <cstdint>
@@ -66,7 +66,6 @@ private:
   void gatherCells(const Frame& frame, std::size_t first, std::size_t end);
   Bands varianceOf(std::size_t cell) const;
   double unitOf(std::size_t cell) const;
-  bool touchesDynamic(const Frame& frame, const DirectSample& sample) const;
   /// Whether a motion may change the view of a sample. `boxes`: of what moved.
   bool mayChange(const Frame& frame, const std::vector<Box>& boxes, std::uint32_t sample) const;
   /// Those of samples, in order.

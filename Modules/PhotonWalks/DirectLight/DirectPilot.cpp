@@ -54,7 +54,7 @@ DirectPilot::DirectPilot(const SceneObjects& objects, const LampPieces& lamps)
   frame.objects = { someCellsOf(objects.staticObject), {} };
   frame.triangles = SceneTriangles(frame.objects);
   const CellShapes cells(frame, 0, 1);
-  const DirectPlan plan(cells, lamps, { 1, { kMostWalks, { kSamples, kSamples } }, 1 });
+  const DirectPlan plan(cells, lamps, { 1, kMostWalks, { kSamples, kSamples }, 1 });
   std::array<CellSampler, 2> samplers{ CellSampler(cells, frame, lamps, plan, 1),
     CellSampler(cells, frame, lamps, plan, 2) };
   LampChoice choice(lamps);
@@ -109,17 +109,17 @@ DirectPilot::DirectPilot(const SceneObjects& objects, const LampPieces& lamps)
   }
 }
 
-DirectPilot::Sampling DirectPilot::best(const Light& light) const
+DirectPilot::Sampling DirectPilot::best(double arrived, double returned, double powerOfStart) const
 {
   constexpr double kMostReturned = 0.95;
-  const double part = std::min(light.returned, kMostReturned);
+  const double part = std::min(returned, kMostReturned);
   const double segments = 1 / (1 - part); // of a walk
-  const double indirect = part * light.powerOfStart * segments, cost = kCostOfSample * asked_;
+  const double indirect = part * powerOfStart * segments, cost = kCostOfSample * asked_;
   const double walks =
     std::clamp(std::sqrt(indirect * cost / (std::max(variance_, 0x1p-40) * segments)), kFewestWalks,
       kMostWalks);
   const double gathered = (walks * variance_ + indirect) * (cost / walks + segments);
-  const double lost = 1 / std::max(light.arrived, 0x1p-40) - 1; // walks for each that arrives
+  const double lost = 1 / std::max(arrived, 0x1p-40) - 1; // walks for each that arrives
   return { walks, gathered / (segments * (segments + lost)) };
 }
 

@@ -19,10 +19,11 @@ bool mayBeLit(const CellShape& cell)
 DirectPlan::DirectPlan(const CellShapes& cells, const LampPieces& lamps, const Settings& settings,
   const CancelPoint& cancelPoint)
   : replicates_(settings.replicates)
-  , density_(settings.density)
+  , walksPerSample_(settings.walksPerSample)
+  , fewest_(settings.fewest)
 {
   LampChoice choice(lamps);
-  density_.fewest.small = fewestOfSmall(cells, settings);
+  fewest_.small = fewestOfSmall(cells, settings);
   const double walksPerWatt = settings.walks / lamps.lights().flux();
   firsts_ = { 0 };
   ThrottledCancelPoint pace(cancelPoint);
@@ -54,7 +55,7 @@ std::uint32_t DirectPlan::fewestOfSmall(const CellShapes& cells, const Settings&
   {
     lit += mayBeLit(cells[cell]) ? 1 : 0;
   }
-  const FewestSamples& usual = settings.density.fewest;
+  const FewestSamples& usual = settings.fewest;
   const double share =
     std::min<double>(usual.mostOfSmall, kSamplesOfWalk * settings.walks / std::max(1.0, lit));
   std::uint32_t fewest = usual.small;
@@ -67,10 +68,9 @@ std::uint32_t DirectPlan::fewestOfSmall(const CellShapes& cells, const Settings&
 
 std::uint32_t DirectPlan::numberFor(double walks, double mirrored) const
 {
-  const FewestSamples& fewest = density_.fewest;
-  const bool isLarge = walks >= 4.0 * fewest.small;
+  const bool isLarge = walks >= 4.0 * fewest_.small;
   const double usual =
-    std::max<double>(isLarge ? fewest.large : fewest.small, walks / density_.walksPerSample);
+    std::max<double>(isLarge ? fewest_.large : fewest_.small, walks / walksPerSample_);
   // A mirror throws all walks of a sample the same way: so each has a sample of its own.
   const double ofMirror = mirrored > 0 ? std::min(walks * mirrored, kMostOfMirror) : 0;
   const double samples = std::max(std::min(usual, kMost), ofMirror);

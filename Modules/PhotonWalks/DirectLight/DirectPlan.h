@@ -25,20 +25,11 @@ namespace irradiance
 class DirectPlan
 {
 public:
-  struct Density
-  {
-    double walksPerSample = 0; ///< that a cell may receive for each of its samples
-    FewestSamples fewest;
-
-    friend bool operator==(const Density& a, const Density& b)
-    {
-      return a.walksPerSample == b.walksPerSample && a.fewest == b.fewest;
-    }
-  };
   struct Settings
   {
-    std::uint32_t walks; ///< among which the flux of the lights is divided
-    Density density;
+    std::uint32_t walks;   ///< among which the flux of the lights is divided
+    double walksPerSample; ///< that a cell may receive for each of its samples
+    FewestSamples fewest;
     std::uint32_t replicates;
     double startsPerWalk =
       0; ///< walks that start at cells with the power of each of `walks`; 0: none
@@ -72,7 +63,8 @@ private:
   std::uint32_t numberFor(double walks, double mirrored = 0) const;
 
   std::uint32_t replicates_;
-  Density density_;
+  double walksPerSample_;
+  FewestSamples fewest_;
   std::vector<std::uint32_t> firsts_; ///< by cell, and the number of all
 };
 

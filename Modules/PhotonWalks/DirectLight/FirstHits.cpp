@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace irradiance
 {
@@ -155,6 +156,27 @@ void FirstHits::sumUp(const SceneObject& object)
     // Each has half of the power. The square of one would have its noise in it.
     reflectedSquares_ += areas[cell] > 0 ? 4 * one * other / areas[cell] : 0;
   }
+}
+
+/// What arrives at first and returns at each reflection fills the static object evenly, roughly: as
+/// much as its mean radiosity.
+std::vector<bool> FirstHits::dimLights(
+  const SceneObjects& objects, const LightTable& lights, double reflected) const
+{
+  // Times the mean radiosity. Twice as bright a ceiling is found with less noise by looking for it.
+  constexpr double kBrightest = 1.5;
+  constexpr double kMostReturned = 0.99; // what returns is known from few rays
+  const double returned = std::min({ returned_, reflected, kMostReturned });
+  const double brightest = area_ > 0 ? kBrightest * arrived_ / (1 - returned) / area_ : 0;
+  std::vector<bool> areDim;
+  for (const Light& light : lights.lights())
+  {
+    const SceneObject& object = objects[light.cell.object];
+    const double* const exitance = object.exitanceOf(light.cell.cell);
+    areDim.push_back(light.surface() &&
+      std::accumulate(exitance, exitance + object.emission->bands, 0.0) <= brightest);
+  }
+  return areDim;
 }
 
 }

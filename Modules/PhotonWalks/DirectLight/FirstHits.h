@@ -34,6 +34,14 @@ public:
   /// from place to place: a strip along a wall, a lamp just over the floor. There walks that start
   /// at the light find the light of a cell with less work than samples of the cell do.
   const std::vector<bool>& nearLights() const { return nearLights_; }
+  /// Which lights are about as bright as what the scene sends that they light: warm walls of an
+  /// oven, a room that shines everywhere. Light from everywhere is found by any ray, and cells that
+  /// looked for it would choose among thousands of lights that bring little each. So walks start at
+  /// them, and rays of a final gather count what they emit. What the lights light themselves
+  /// counts: to rays a lamp in a hut is bright, however strong the sun is outside. `lights`: of the
+  /// table. `reflected`: the mean part of static cells.
+  std::vector<bool> dimLights(
+    const SceneObjects& objects, const LightTable& lights, double reflected) const;
   /// The part of what arrives at static triangles that they reflect and that arrives at some again,
   /// 0..1; 1 if hardly anything arrives. Roughly: a standard error of 0.1 at most.
   double returned() const { return returned_; }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectLight/LampChoice.h"
 
-#include "Sampling/WeightChoice.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -13,23 +11,10 @@ namespace irradiance
 namespace
 {
 
-/// The part of a cell that has normals in all directions.
-double curvedOf(const CellShape& cell)
-{
-  return 1 - std::min(1.0, cell.normal.norm());
-}
-
-/// What is asked of a node: what it brings on average, or what it may bring where it is nearest,
-/// which no weight should miss.
-enum class Asked
-{
-  Mean,
-  Most
-};
-
-/// W that a node of lamps would bring to a cell.
+/// W that a node of lamps would bring to a cell: on average, or else where it is nearest, which no
+/// weight should miss.
 double powerBetween(
-  const LampTree::Node& node, const CellShape& cell, double curved, Asked asked = Asked::Most)
+  const LampPieces::Node& node, const CellShape& cell, double curved, bool isMean = false)
 {
   const LampPiece& lamp = node.lamp;
   const Vector3 between = cell.center - lamp.center;
@@ -52,7 +37,6 @@ double powerBetween(
   const double facing = cell.isBackDark ? -arriving
     : cell.isFrontDark                  ? arriving
                                         : std::abs(arriving);
-  const bool isMean = asked == Asked::Mean;
   double emitted = lamp.cone.leaving(leaving, isMean ? 0 : std::min(1.0, reach));
   double received = std::clamp(
     curved + (isMean ? positivePart(facing - reach, facing + reach) : facing + reach), 0.0, 1.0);
@@ -77,8 +61,6 @@ double powerBetween(
 
 LampChoice::LampChoice(const LampPieces& lamps, std::size_t most)
   : lamps_(lamps)
-  , tree_(lamps.tree())
-  , centers_(lamps.centers())
   , most_(most)
 {
 }
@@ -86,7 +68,7 @@ LampChoice::LampChoice(const LampPieces& lamps, std::size_t most)
 /// The spread is what a wide node would bring if all of it were where it is nearest.
 LampChoice::Group LampChoice::groupOf(std::uint32_t number) const
 {
-  const LampTree::Node& node = tree_.nodes()[number];
+  const LampPieces::Node& node = lamps_.nodes()[number];
   const double distance = (cell_.center - node.lamp.center).norm(), radius = node.lamp.radius;
   const double nearest = std::max(distance - radius, cell_.radius);
   const double most =
@@ -100,13 +82,13 @@ LampChoice::Group LampChoice::groupOf(std::uint32_t number) const
 void LampChoice::setCell(const CellShape& cell)
 {
   cell_ = cell;
-  curved_ = curvedOf(cell);
+  curved_ = 1 - std::min(1.0, cell.normal.norm());
   groups_.clear();
-  if (tree_.nodes().size() < 2 * most_)
+  if (lamps_.nodes().size() < 2 * most_)
   {
-    for (std::uint32_t node = 0; node < tree_.nodes().size(); ++node)
+    for (std::uint32_t node = 0; node < lamps_.nodes().size(); ++node)
     {
-      if (tree_.nodes()[node].isLeaf())
+      if (lamps_.nodes()[node].isLeaf())
       {
         groups_.push_back(groupOf(node));
       }
@@ -117,7 +99,7 @@ void LampChoice::setCell(const CellShape& cell)
   while (groups_.size() < most_ && groups_.front().spread > 0)
   {
     std::pop_heap(groups_.begin(), groups_.end());
-    const std::uint32_t children = tree_.nodes()[groups_.back().node].children;
+    const std::uint32_t children = lamps_.nodes()[groups_.back().node].children;
     groups_.pop_back();
     for (const std::uint32_t child : { children, children + 1 })
     {
@@ -132,14 +114,14 @@ double LampChoice::expectedPower(const CellShape& cell)
   setCell(cell);
   return std::accumulate(
     groups_.begin(), groups_.end(), 0.0, [this](double sum, const Group& group) {
-      return sum + powerBetween(tree_.nodes()[group.node], cell_, curved_, Asked::Mean);
+      return sum + powerBetween(lamps_.nodes()[group.node], cell_, curved_, true);
     });
 }
 
 double LampChoice::powerFromWithin(double distance) const
 {
   return std::accumulate(groups_.begin(), groups_.end(), 0.0, [&](double sum, const Group& group) {
-    const LampPiece& lamp = tree_.nodes()[group.node].lamp;
+    const LampPiece& lamp = lamps_.nodes()[group.node].lamp;
     const bool isWithin = lamp.radius < distance && (cell_.center - lamp.center).norm() < distance;
     return sum + (isWithin ? group.power : 0);
   });
@@ -147,13 +129,14 @@ double LampChoice::powerFromWithin(double distance) const
 
 double LampChoice::distance(const CellShape& cell) const
 {
-  return (cell.center - cell.center.cwiseMax(centers_.lower).cwiseMin(centers_.upper)).norm();
+  const Box& centers = lamps_.centers();
+  return (cell.center - cell.center.cwiseMax(centers.lower).cwiseMin(centers.upper)).norm();
 }
 
 double LampChoice::mostPower(const CellShape& cell) const
 {
   const double between = distance(cell);
-  return tree_.flux() * cell.area / (LampCone::kProjected * between * between);
+  return lamps_.flux() * cell.area / (LampCone::kProjected * between * between);
 }
 
 void LampChoice::weigh(const CellShape& cell)
@@ -163,20 +146,20 @@ void LampChoice::weigh(const CellShape& cell)
     [](double sum, const Group& group) { return sum + group.power; });
   // In the order of the tree, so that samples that are near each other ask lamps that are.
   std::sort(groups_.begin(), groups_.end(), [&](const Group& a, const Group& b) {
-    return tree_.nodes()[a.node].first < tree_.nodes()[b.node].first;
+    return lamps_.nodes()[a.node].first < lamps_.nodes()[b.node].first;
   });
   const double byPower = expected > 0 ? (1 - kByFlux) / expected : 0;
-  const double byFlux = (expected > 0 ? kByFlux : 1) / tree_.flux();
+  const double byFlux = (expected > 0 ? kByFlux : 1) / lamps_.flux();
   cumulative_.clear();
   double sum = 0;
   for (const Group& group : groups_)
   {
-    sum += byPower * group.power + byFlux * tree_.nodes()[group.node].lamp.flux;
+    sum += byPower * group.power + byFlux * lamps_.nodes()[group.node].lamp.flux;
     cumulative_.push_back(sum);
   }
 }
 
-bool LampChoice::isAlike(const LampTree::Node& node) const
+bool LampChoice::isAlike(const LampPieces::Node& node) const
 {
   return node.isLeaf() ||
     (node.lamp.cone.cosine >= kAlike &&
@@ -184,46 +167,46 @@ bool LampChoice::isAlike(const LampTree::Node& node) const
         kTogether * kTogether * (cell_.center - node.lamp.center).squaredNorm());
 }
 
-double LampChoice::probabilityOfFirst(const LampTree::Node& node) const
+double LampChoice::probabilityOfFirst(const LampPieces::Node& node) const
 {
-  const LampTree::Node &first = tree_.nodes()[node.children],
-                       &second = tree_.nodes()[node.children + 1];
+  const LampPieces::Node &first = lamps_.nodes()[node.children],
+                         &second = lamps_.nodes()[node.children + 1];
   const double byFlux = first.lamp.flux / node.lamp.flux;
   const double ofFirst = powerBetween(first, cell_, curved_);
   const double sum = ofFirst + powerBetween(second, cell_, curved_);
   return sum > 0 ? (1 - kByFluxBelow) * ofFirst / sum + kByFluxBelow * byFlux : byFlux;
 }
 
-LampChoice::Choice LampChoice::choose(double sample) const
+WeightChoice LampChoice::choose(double sample) const
 {
   const WeightChoice chosen = chooseByWeight(cumulative_, sample);
   double probability = chosen.weight / cumulative_.back(), rest = chosen.rest;
-  const LampTree::Node* node = &tree_.nodes()[groups_[chosen.place].node];
+  const LampPieces::Node* node = &lamps_.nodes()[groups_[chosen.place].node];
   while (!isAlike(*node))
   {
     const double first = probabilityOfFirst(*node);
     const bool isFirst = choosesFirst(first, rest);
     probability *= isFirst ? first : 1 - first;
-    node = &tree_.nodes()[node->children + (isFirst ? 0 : 1)];
+    node = &lamps_.nodes()[node->children + (isFirst ? 0 : 1)];
   }
-  const Choice below = tree_.choose(*node, rest);
-  return { below.piece, probability * below.probability, below.rest };
+  const WeightChoice below = lamps_.choose(*node, rest);
+  return { below.place, probability * below.weight, below.rest };
 }
 
 double LampChoice::probabilityOf(std::uint32_t piece) const
 {
-  const std::uint32_t place = tree_.placeOf(piece);
+  const std::uint32_t place = lamps_.placeOf(piece);
   double before = 0;
   for (std::size_t i = 0; i < groups_.size(); ++i)
   {
-    const LampTree::Node* node = &tree_.nodes()[groups_[i].node];
+    const LampPieces::Node* node = &lamps_.nodes()[groups_[i].node];
     if (node->first <= place && place < node->end)
     {
       double probability = (cumulative_[i] - before) / cumulative_.back();
       while (!isAlike(*node))
       {
         const double first = probabilityOfFirst(*node);
-        const LampTree::Node& half = tree_.nodes()[node->children];
+        const LampPieces::Node& half = lamps_.nodes()[node->children];
         const bool isFirst = place < half.end;
         probability *= isFirst ? first : 1 - first;
         node = isFirst ? &half : &half + 1;

@@ -39,9 +39,8 @@ public:
   /// For this cell.
   void weigh(const CellShape& cell);
 
-  using Choice = LampTree::Choice;
-  /// `sample`: in (0, 1).
-  Choice choose(double sample) const;
+  /// A piece, with its probability. `sample`: in (0, 1).
+  WeightChoice choose(double sample) const;
   /// With which a piece is chosen.
   double probabilityOf(std::uint32_t piece) const;
 
@@ -63,13 +62,11 @@ private:
   /// With groups that have all lamps together.
   void setCell(const CellShape& cell);
   /// Whether what is below a node brings about as much to the cell for its flux.
-  bool isAlike(const LampTree::Node& node) const;
+  bool isAlike(const LampPieces::Node& node) const;
   /// The probability of the first half of a node.
-  double probabilityOfFirst(const LampTree::Node& node) const;
+  double probabilityOfFirst(const LampPieces::Node& node) const;
 
   const LampPieces& lamps_;
-  const LampTree& tree_;
-  Box centers_; ///< of the lamps
   std::size_t most_;
   CellShape cell_;
   double curved_ = 0;              ///< the part of the cell that has normals in all directions

@@ -3,12 +3,160 @@
 
 #include "Sampling/SobolPoint.h"
 #include "Sampling/SplitMix.h"
+#include "Sampling/WeightChoice.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace irradiance
 {
+
+namespace
+{
+
+/// The area with which a point is weighed, m2: so small that no light seems to give it all of its
+/// flux.
+constexpr double kNoArea = 0x1p-200;
+
+CellShape asCell(const LitPoint& point)
+{
+  CellShape shape;
+  shape.center = point.position;
+  shape.normal = point.normal;
+  shape.area = kNoArea;
+  return shape;
+}
+
+/**
+ * Which lamp a sample of a point asks, and what it sees of that. If there are no more lamps than
+ * samples, the weights are what each brings if nothing stands between: exactly, for a point that
+ * receives from all directions or for lights in the air, else but for how the cosine varies over
+ * the lamp. Of more lamps LampChoice tells roughly which bring how much.
+ */
+class PointLampChoice
+{
+public:
+  /// The lamps must outlive it. `by`: see SeenLight. `most`: weights, see LampChoice.
+  PointLampChoice(const LampPieces& lamps, const LitPoint& point, SeenLight::By by,
+    std::uint32_t samples, std::size_t most);
+
+  /// Whether no light can come.
+  bool isEmpty() const { return !isRough_ && !(sum_ > 0); }
+  struct Choice
+  {
+    std::uint32_t light;
+    double probability;
+    double rest;                   ///< in [0, 1): what the choice left of the sample
+    std::optional<SeenLight> seen; ///< none if all of the piece is below the horizon
+  };
+  /// `sample`: in (0, 1). Not if it is empty.
+  Choice choose(double sample) const;
+  /// By solid angle, the probability of a piece over its solid angle, 1/sr; 0 if it is empty.
+  double densityOf(std::uint32_t piece) const;
+
+private:
+  /// What the point sees of a piece.
+  void addParts(std::uint32_t piece, std::vector<SeenLight>& parts) const;
+  Choice chooseRoughly(double sample) const;
+
+  const LampPieces& lamps_;
+  LitPoint point_;
+  SeenLight::By by_;
+  bool isRough_;
+  LampChoice rough_;
+  std::vector<SeenLight> targets_;
+  std::vector<double> cumulative_; ///< weights up to and including each target
+  double sum_ = 0;
+};
+
+PointLampChoice::PointLampChoice(const LampPieces& lamps, const LitPoint& point, SeenLight::By by,
+  std::uint32_t samples, std::size_t most)
+  : lamps_(lamps)
+  , point_(point)
+  , by_(by)
+  , isRough_(lamps.size() > samples)
+  , rough_(lamps, most)
+{
+  if (isRough_)
+  {
+    rough_.weigh(asCell(point));
+    return;
+  }
+  targets_.reserve(2 * lamps.size());
+  cumulative_.reserve(2 * lamps.size());
+  for (std::uint32_t piece = 0; piece < lamps.size(); ++piece)
+  {
+    addParts(piece, targets_);
+  }
+  for (const SeenLight& target : targets_)
+  {
+    cumulative_.push_back(sum_ += target.irradiance(point));
+  }
+}
+
+void PointLampChoice::addParts(std::uint32_t piece, std::vector<SeenLight>& parts) const
+{
+  const LampPiece& lamp = lamps_[piece];
+  SeenLight::addParts(lamps_.lights()[lamp.light], lamp, point_, by_, parts);
+}
+
+PointLampChoice::Choice PointLampChoice::choose(double sample) const
+{
+  if (isRough_)
+  {
+    return chooseRoughly(sample);
+  }
+  const WeightChoice found = chooseByWeight(cumulative_, sample);
+  const SeenLight& target = targets_[found.place];
+  return { target.piece().light, found.weight / sum_, found.rest, target };
+}
+
+/// A piece; then one of its parts.
+PointLampChoice::Choice PointLampChoice::chooseRoughly(double sample) const
+{
+  const WeightChoice chosen = rough_.choose(sample);
+  Choice choice{ lamps_[chosen.place].light, chosen.weight, chosen.rest, {} };
+  double sum = 0;
+  std::vector<SeenLight> parts;
+  addParts(static_cast<std::uint32_t>(chosen.place), parts);
+  std::vector<double> cumulative;
+  cumulative.reserve(parts.size());
+  for (const SeenLight& part : parts)
+  {
+    cumulative.push_back(sum += part.taken());
+  }
+  if (parts.size() == 1)
+  {
+    choice.seen = parts.front();
+  }
+  else if (sum > 0)
+  {
+    const WeightChoice found = chooseByWeight(cumulative, chosen.rest);
+    choice = { choice.light, chosen.weight * found.weight / sum, found.rest, parts[found.place] };
+  }
+  return choice;
+}
+
+double PointLampChoice::densityOf(std::uint32_t piece) const
+{
+  if (isEmpty())
+  {
+    return 0;
+  }
+  const double before = isRough_ || piece == 0 ? 0 : cumulative_[piece - 1];
+  const double probability =
+    isRough_ ? rough_.probabilityOf(piece) : (cumulative_[piece] - before) / sum_;
+  if (!(probability > 0))
+  {
+    return 0;
+  }
+  std::vector<SeenLight> parts;
+  addParts(piece, parts);
+  return probability / parts.front().solidAngle();
+}
+
+}
 
 PointDirectLight::PointDirectLight(const Frame& frame, std::shared_ptr<const LampPieces> lamps,
   std::uint64_t seed, std::uint32_t samples, std::size_t mostWeights)
@@ -23,15 +171,7 @@ PointDirectLight::PointDirectLight(const Frame& frame, std::shared_ptr<const Lam
 Bands PointDirectLight::irradiance(
   const LitPoint& point, std::uint64_t number, std::vector<ShadowRay>* rays) const
 {
-  std::vector<Bands> all(1, Bands{});
-  add(point, number, all, rays);
-  return all.front();
-}
-
-void PointDirectLight::add(const LitPoint& point, std::uint64_t number,
-  std::vector<Bands>& replicates, std::vector<ShadowRay>* rays) const
-{
-  addArriving(point, arrivalsAt(point, number, replicates.size()), replicates, rays);
+  return arriving(point, arrivalsAt(point, number, 1), rays);
 }
 
 std::vector<PointDirectLight::Arrival> PointDirectLight::arrivalsAt(
@@ -70,7 +210,7 @@ std::int64_t PointDirectLight::update(const LitPoint& point, std::uint64_t numbe
   {
     if (!rays[i].isStopped)
     {
-      addArrival(arrivals[i], replicates);
+      replicates[arrivals[i].replicate] += broughtBy(arrivals[i]);
     }
   }
   return static_cast<std::int64_t>(anew.size());
@@ -81,9 +221,7 @@ Bands PointDirectLight::taken(
 {
   std::vector<Arrival> arrivals;
   addSamples(point, SeenLight::By::SolidAngle, part, number, share, lightsAt(point), 1, arrivals);
-  std::vector<Bands> all(1, Bands{});
-  addArriving(point, arrivals, all);
-  return all.front();
+  return arriving(point, arrivals);
 }
 
 double PointDirectLight::density(
@@ -99,26 +237,23 @@ double PointDirectLight::density(
   return samples_ * choice.densityOf(lamps_->pieceAt(*light, place));
 }
 
-void PointDirectLight::addArriving(const LitPoint& point, const std::vector<Arrival>& arrivals,
-  std::vector<Bands>& replicates, std::vector<ShadowRay>* rays) const
+Bands PointDirectLight::arriving(
+  const LitPoint& point, const std::vector<Arrival>& arrivals, std::vector<ShadowRay>* rays) const
 {
+  Bands sum{};
   const std::vector<Hit> hits = cast(point, arrivals);
   for (std::size_t i = 0; i < arrivals.size(); ++i)
   {
     if (arrives(hits[i], point))
     {
-      addArrival(arrivals[i], replicates);
+      sum += broughtBy(arrivals[i]);
     }
     if (rays)
     {
       rays->push_back(shadowRayOf(arrivals[i], point, hits[i]));
     }
   }
-}
-
-void PointDirectLight::addArrival(const Arrival& arrival, std::vector<Bands>& replicates) const
-{
-  replicates[arrival.replicate] += arrival.perWatt * lights()[arrival.light].flux;
+  return sum;
 }
 
 /// As for the samples of cells, see DirectLight.
@@ -157,7 +292,7 @@ ShadowRay PointDirectLight::shadowRayOf(
   const Contacts& contacts = frame_.contacts;
   const bool touches = contacts.has(arrival.ray.start) || contacts.has(point.on);
   return { inFloats(from), inFloats(to),
-    isStopped && hit ? frame_.triangles.numberOf(hit.id) : ShadowRay::kNone, isStopped,
+    isStopped && hit ? frame_.triangles.numberOf(hit.id) : SceneTriangles::kNone, isStopped,
     contacts.hasDynamic(arrival.ray.start) || contacts.hasDynamic(point.on) ||
       contacts.hasDynamic(hit.id) || (touches && isStopped && hit.id.isDynamic()) };
 }
@@ -192,30 +327,19 @@ void PointDirectLight::addSamples(const LitPoint& point, SeenLight::By by, const
   {
     const std::array<double, 2> u = SobolPoint::inUnitSquare(share * samples_ + i, keys);
     const PointLampChoice::Choice chosen = choice.choose(u[0]);
-    if (std::find(touching.begin(), touching.end(), chosen.light) == touching.end())
+    if (!chosen.seen || std::find(touching.begin(), touching.end(), chosen.light) != touching.end())
     {
-      Arrival arrival = from(chosen, point, part, u[1]);
-      arrival.replicate = i * replicates / samples_;
-      if (arrival.perWatt > 0)
-      {
-        arrivals.push_back(arrival);
-      }
+      continue;
+    }
+    const double samples = chosen.probability * samples_;
+    const SeenLight::Sample seen = chosen.seen->sample({ chosen.rest, u[1] }, point);
+    const double perWatt =
+      seen.isLit() ? seen.perWatt(part(seen.along, samples / seen.solidAngle)) / samples : 0;
+    if (perWatt > 0)
+    {
+      arrivals.push_back({ seen.ray, chosen.light, perWatt, i * replicates / samples_ });
     }
   }
-}
-
-PointDirectLight::Arrival PointDirectLight::from(const PointLampChoice::Choice& chosen,
-  const LitPoint& point, const Part& part, double onLamp) const
-{
-  if (!chosen.seen)
-  {
-    return { {}, chosen.light, 0 };
-  }
-  const double samples = chosen.probability * samples_;
-  const SeenLight::Sample seen = chosen.seen->sample({ chosen.rest, onLamp }, point);
-  const double perWatt =
-    seen.isLit() ? seen.perWatt(part(seen.along, samples / seen.solidAngle)) : 0;
-  return { seen.ray, chosen.light, perWatt / samples };
 }
 
 }

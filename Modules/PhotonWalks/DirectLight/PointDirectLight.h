@@ -2,15 +2,34 @@
 #ifndef irradiance_PointDirectLight_h
 #define irradiance_PointDirectLight_h
 
-#include "DirectLight/PointLampChoice.h"
-#include "DirectLight/ShadowRay.h"
+#include "DirectLight/LampChoice.h"
+#include "Lights/SeenLight.h"
 
+#include <array>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <vector>
 
 namespace irradiance
 {
+
+inline std::array<float, 3> inFloats(const Vector3& v)
+{
+  return { static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()) };
+}
+
+/// A ray from a light to a point, as it was cast: what tells whether a motion may change what it
+/// found.
+struct ShadowRay
+{
+  std::array<float, 3> from;
+  std::array<float, 3> to; ///< what stops it, or else the point
+  std::uint32_t triangle;  ///< the number of what stops it, or SceneTriangles::kNone
+  bool isStopped : 1;      ///< its light does not arrive
+  bool touchesMover : 1;   ///< what it meets at an end depends on what can move
+};
 
 /**
  * The light that comes straight from the lights of a table to single points, on surfaces or in the
@@ -37,14 +56,11 @@ public:
   /// asked for. May be called by several threads.
   Bands irradiance(
     const LitPoint& point, std::uint64_t number, std::vector<ShadowRay>* rays = nullptr) const;
-  /// Adds W/m2 that together are those: to each replicate what its block of the samples finds.
-  /// There are as many samples in each.
-  void add(const LitPoint& point, std::uint64_t number, std::vector<Bands>& replicates,
-    std::vector<ShadowRay>* rays = nullptr) const;
 
-  /// As add(), of a point in the air; cast are only rays of those given that something may have
-  /// changed since, of the same point in a scene with the same lights. None given: all are cast.
-  /// Returns how many were cast.
+  /// Adds W/m2 that together are those: to each replicate what its block of the samples finds.
+  /// There are as many samples in each. Of a point in the air; cast are only rays of those given
+  /// that something may have changed since, of the same point in a scene with the same lights. None
+  /// given: all are cast. Returns how many were cast.
   using MayChange = std::function<bool(const ShadowRay&)>;
   std::int64_t update(const LitPoint& point, std::uint64_t number, const MayChange& mayChange,
     std::vector<ShadowRay>& rays, std::vector<Bands>& replicates) const;
@@ -69,7 +85,7 @@ private:
     Ray ray; ///< its length is 1 at the point
     std::uint32_t light;
     double perWatt; ///< W/m2 for each W of the light's flux if nothing stands between
-    std::size_t replicate = 0;
+    std::size_t replicate;
   };
 
   /// Those that coincide with the point.
@@ -84,19 +100,19 @@ private:
   void addSamples(const LitPoint& point, SeenLight::By by, const Part& part, std::uint64_t number,
     std::uint32_t share, const std::vector<std::uint32_t>& touching, std::size_t replicates,
     std::vector<Arrival>& arrivals) const;
-  /// `onLamp`: in (0, 1), it and the rest of the choice are the place on it.
-  Arrival from(const PointLampChoice::Choice& chosen, const LitPoint& point, const Part& part,
-    double onLamp) const;
   std::vector<Arrival> arrivalsAt(
     const LitPoint& point, std::uint64_t number, std::size_t replicates) const;
-  /// Adds what no other surface stops.
-  void addArriving(const LitPoint& point, const std::vector<Arrival>& arrivals,
-    std::vector<Bands>& replicates, std::vector<ShadowRay>* rays = nullptr) const;
+  /// What no other surface stops.
+  Bands arriving(const LitPoint& point, const std::vector<Arrival>& arrivals,
+    std::vector<ShadowRay>* rays = nullptr) const;
+  Bands broughtBy(const Arrival& arrival) const
+  {
+    return arrival.perWatt * lights()[arrival.light].flux;
+  }
   /// What arrivals meet.
   std::vector<Hit> cast(const LitPoint& point, const std::vector<Arrival>& arrivals) const;
   bool arrives(const Hit& hit, const LitPoint& point) const;
   ShadowRay shadowRayOf(const Arrival& arrival, const LitPoint& point, const Hit& hit) const;
-  void addArrival(const Arrival& arrival, std::vector<Bands>& replicates) const;
 
   const Frame& frame_;
   std::shared_ptr<const LampPieces> lamps_;

@@ -2,14 +2,13 @@
 #include "DirectLight/PowerClasses.h"
 
 #include "DirectLight/FirstHits.h"
-#include "Geometry/Vector.h"
-#include "Sampling/SplitMix.h"
 
 #include <algorithm>
-#include <functional>
+#include <array>
+#include <map>
 #include <numeric>
 #include <optional>
-#include <unordered_map>
+#include <tuple>
 
 namespace irradiance
 {
@@ -20,68 +19,34 @@ namespace
 constexpr std::size_t kMostClasses = 4;
 constexpr double kWeak = 0.15; ///< beside the strongest of a class
 
-/// Sets of lights, each with one of them that stands for all.
-class Lamps
+/// For each light one of its lamp, the same for all of these: it stands for the lamp.
+std::vector<std::size_t> lampsOf(const std::vector<Light>& lights)
 {
-public:
-  explicit Lamps(std::size_t count)
-    : next_(count)
-  {
-    std::iota(next_.begin(), next_.end(), std::size_t{});
-  }
-  std::size_t of(std::size_t light)
-  {
-    while (next_[light] != light)
+  std::vector<std::size_t> lamps(lights.size()); // each leads to the next of its lamp, or itself
+  std::iota(lamps.begin(), lamps.end(), std::size_t{});
+  const auto lastOf = [&](std::size_t light) {
+    while (lamps[light] != light)
     {
-      light = next_[light] = next_[next_[light]];
+      light = lamps[light] = lamps[lamps[light]];
     }
     return light;
-  }
-  void join(std::size_t a, std::size_t b) { next_[of(a)] = of(b); }
-
-private:
-  std::vector<std::size_t> next_;
-};
-
-/// A corner of a light, by its object.
-struct Corner
-{
-  std::uint32_t object;
-  Vector3 place;
-
-  friend bool operator==(const Corner& a, const Corner& b)
-  {
-    return a.object == b.object && a.place == b.place;
-  }
-};
-
-struct CornerHash
-{
-  std::size_t operator()(const Corner& corner) const
-  {
-    const std::hash<double> hash;
-    std::size_t value = corner.object;
-    for (const double x : { corner.place[0], corner.place[1], corner.place[2] })
-    {
-      value = splitMix(value ^ hash(x));
-    }
-    return value;
-  }
-};
-
-Lamps lampsOf(const std::vector<Light>& lights)
-{
-  Lamps lamps(lights.size());
-  std::unordered_map<Corner, std::size_t, CornerHash> corners;
+  };
+  std::map<std::tuple<std::uint32_t, double, double, double>, std::size_t> corners; // by object
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
     if (const Triangle* const surface = lights[i].surface())
     {
       for (const Vector3& place : { surface->a, surface->b, surface->c })
       {
-        lamps.join(i, corners.emplace(Corner{ lights[i].cell.object, place }, i).first->second);
+        const std::tuple corner(lights[i].cell.object, place[0], place[1], place[2]);
+        const std::size_t other = corners.emplace(corner, i).first->second;
+        lamps[lastOf(i)] = lastOf(other);
       }
     }
+  }
+  for (std::size_t i = 0; i < lights.size(); ++i)
+  {
+    lamps[i] = lastOf(i);
   }
   return lamps;
 }
@@ -90,7 +55,8 @@ Lamps lampsOf(const std::vector<Light>& lights)
 class LampHits
 {
 public:
-  LampHits(const LightTable& table, const SceneObjects& objects, Lamps& lamps)
+  LampHits(
+    const LightTable& table, const SceneObjects& objects, const std::vector<std::size_t>& lamps)
     : arrivals_(table.lights().size())
     , cellOfTriangle_(objects.staticObject.material->cellOfTriangle)
     , strong_(2 * objects.staticObject.material->numberOfCells)
@@ -99,7 +65,7 @@ public:
     const FirstHits hits(objects, table);
     for (const FirstHits::Arrival& arrival : hits.arrivals())
     {
-      arrivals_[lamps.of(arrival.light)].push_back(arrival);
+      arrivals_[lamps[arrival.light]].push_back(arrival);
     }
   }
 
@@ -156,11 +122,11 @@ std::vector<LightTable> powerClassesOf(
   const LightTable& table, const SceneObjects& objects, double leastPart)
 {
   const std::vector<Light>& lights = table.lights();
-  Lamps lamps = lampsOf(lights);
+  const std::vector<std::size_t> lamps = lampsOf(lights);
   std::vector<double> flux(lights.size()); // W, of the lamp for which a light stands
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
-    flux[lamps.of(i)] += lights[i].totalFlux();
+    flux[lamps[i]] += lights[i].totalFlux();
   }
   std::vector<std::size_t> rest; // the strongest first
   for (std::size_t i = 0; i < lights.size(); ++i)
@@ -215,7 +181,7 @@ std::vector<LightTable> powerClassesOf(
     std::vector<bool> chosen(lights.size());
     for (std::size_t light = 0; light < lights.size(); ++light)
     {
-      chosen[light] = classOf[lamps.of(light)] == i;
+      chosen[light] = classOf[lamps[light]] == i;
     }
     classes.push_back(table.only(chosen));
   }

@@ -20,17 +20,6 @@ double chance(std::uint64_t seed, std::uint32_t sample, int use)
   return static_cast<double>(hash >> 11) * 0x1p-53;
 }
 
-/// The parts of a power in each band, so that all have `quanta` together.
-Power shared(const Bands& powers, double all, std::int64_t quanta)
-{
-  Power power;
-  for (std::size_t band = 0; band < powers.size(); ++band)
-  {
-    power.quanta[band] = nearestQuanta(static_cast<double>(quanta) * (powers[band] / all));
-  }
-  return power;
-}
-
 }
 
 WalkStarts::WalkStarts(const DirectLight& light, const SceneObjects& objects,
@@ -83,8 +72,13 @@ void WalkStarts::add(std::uint32_t number, std::uint32_t replicate, const SceneO
       all / static_cast<double>(quantaPerWalk_) + chance(seed_, number, use));
     if (walks > 0)
     {
-      starts_.push_back({ number, replicate, counts_[replicate], walks, use == 1,
-        shared(reflected, all, quantaPerWalk_) });
+      Power power; // all bands have that of a walk together
+      for (std::size_t band = 0; band < reflected.size(); ++band)
+      {
+        power.quanta[band] =
+          nearestQuanta(static_cast<double>(quantaPerWalk_) * (reflected[band] / all));
+      }
+      starts_.push_back({ number, replicate, counts_[replicate], walks, use == 1, power });
       counts_[replicate] += walks;
     }
   }

@@ -4,7 +4,7 @@
 #include "FinalGather/CellRoles.h"
 #include "FinalGather/PathLights.h"
 #include "Geometry/Vector.h"
-#include "Walks/WalkSettings.h"
+#include "Walks/WalkSet.h"
 
 #include <algorithm>
 #include <vector>
@@ -15,26 +15,6 @@ namespace irradiance
 namespace
 {
 
-/// What rays of a frame would find.
-struct Reading
-{
-  double small = 0;                    ///< cells that gather
-  double area = 0, areaThatIsRead = 0; ///< m2
-};
-
-Reading readingOf(const SceneCells& cells, double walks, std::uint32_t rays)
-{
-  const CellRoles roles(cells, walks, rays);
-  Reading reading;
-  cells.numbers().forEach([&](const SceneCell& cell) {
-    const double area = cells.area(cell);
-    reading.small += roles.gathers(cell) ? 1 : 0;
-    reading.area += area;
-    reading.areaThatIsRead += roles.isRead(cell) ? area : 0;
-  });
-  return reading;
-}
-
 /// As many as are asked for, or as take about as long as all else; 0: they do not pay.
 std::uint32_t raysThatPay(const SceneCells& cells, double walks, std::uint32_t asked)
 {
@@ -42,12 +22,19 @@ std::uint32_t raysThatPay(const SceneCells& cells, double walks, std::uint32_t a
   for (std::uint32_t rays = asked; rays > 0;
        rays = rays > kFewestRays ? std::max(kFewestRays, rays / 2) : 0)
   {
-    const Reading reading = readingOf(cells, walks, rays);
-    if (2 * reading.areaThatIsRead < reading.area)
+    const CellRoles roles(cells, walks, rays);
+    double small = 0, all = 0, read = 0; // cells that gather; m2
+    cells.numbers().forEach([&](const SceneCell& cell) {
+      const double area = cells.area(cell);
+      small += roles.gathers(cell) ? 1 : 0;
+      all += area;
+      read += roles.isRead(cell) ? area : 0;
+    });
+    if (2 * read < all)
     {
       return 0;
     }
-    if (2.0 * rays * reading.small <= kRaysPerWalk * walks)
+    if (2.0 * rays * small <= kRaysPerWalk * walks)
     {
       return rays;
     }

@@ -4,12 +4,10 @@
 #include "Simd/SimdLevel.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <tuple>
 
 #include "Estimates/CellDiffusion.inl"
-#include "Geometry/Pi.h"
 
 namespace irradiance
 {
@@ -170,26 +168,14 @@ void CellDiffusion::step(
   }
   before.resize(quanta.size());
   std::copy_n(quanta.begin(), placeEnds_[level] * fields, before.begin());
-  flow(links_.data(), linkEnds_[level], fields, before.data(), quanta.data());
-}
-
-void flowPlain(const CellDiffusion::Link* links, std::size_t count, unsigned fields,
-  const double* before, double* quanta)
-{
-  flowBy<PlainNumbers>(links, count, fields, before, quanta);
-}
-
-void flow(const CellDiffusion::Link* links, std::size_t count, unsigned fields,
-  const double* before, double* quanta)
-{
 #ifdef __x86_64__
   if (simdLevel() != SimdLevel::Plain)
   {
-    flowAvx2(links, count, fields, before, quanta);
+    flowAvx2(links_.data(), linkEnds_[level], fields, before.data(), quanta.data());
     return;
   }
 #endif
-  flowPlain(links, count, fields, before, quanta);
+  flowBy<double>(links_.data(), linkEnds_[level], fields, before.data(), quanta.data());
 }
 
 }

@@ -66,13 +66,7 @@ private:
   std::vector<std::size_t> linkEnds_, placeEnds_;
 };
 
-/// Lets quanta flow across links, see CellDiffusion::step; with the best instructions of the
-/// machine. All give the same bits.
-void flow(const CellDiffusion::Link* links, std::size_t count, unsigned fields,
-  const double* before, double* quanta);
-
-void flowPlain(const CellDiffusion::Link* links, std::size_t count, unsigned fields,
-  const double* before, double* quanta);
+/// Lets quanta flow across links, see CellDiffusion::step; the same bits as without AVX2.
 void flowAvx2(const CellDiffusion::Link* links, std::size_t count, unsigned fields,
   const double* before, double* quanta);
 

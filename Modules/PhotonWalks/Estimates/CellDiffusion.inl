@@ -7,43 +7,42 @@ namespace irradiance
 namespace
 {
 
-/// One number, on any machine.
-struct PlainNumbers
+inline double truncated(double number)
 {
-  using Numbers = double;
-  static constexpr unsigned kCount = 1;
+  return __builtin_trunc(number);
+}
 
-  static Numbers all(double value) { return value; }
-  static Numbers load(const double* values) { return *values; }
-  static void store(double* values, Numbers numbers) { *values = numbers; }
-  static Numbers truncated(Numbers numbers) { return __builtin_trunc(numbers); }
-};
-
-template <class Lanes, unsigned kFields>
+/// `Numbers`: one, or a vector of several.
+template <class Numbers, unsigned kFields>
 inline void flowAcross(
   const CellDiffusion::Link* links, std::size_t count, const double* before, double* quanta)
 {
+  const auto load = [](const double* from) {
+    Numbers numbers;
+    __builtin_memcpy(&numbers, from, sizeof numbers);
+    return numbers;
+  };
   for (const CellDiffusion::Link* link = links; link != links + count; ++link)
   {
     const std::size_t a = std::size_t{ link->a } * kFields, b = std::size_t{ link->b } * kFields;
-    const auto shareOfA = Lanes::all(link->shareOfA), shareOfB = Lanes::all(link->shareOfB);
-    for (unsigned k = 0; k < kFields; k += Lanes::kCount)
+    for (unsigned k = 0; k < kFields; k += sizeof(Numbers) / sizeof(double))
     {
-      const auto across = Lanes::truncated(
-        shareOfA * Lanes::load(before + a + k) - shareOfB * Lanes::load(before + b + k));
-      Lanes::store(quanta + a + k, Lanes::load(quanta + a + k) - across);
-      Lanes::store(quanta + b + k, Lanes::load(quanta + b + k) + across);
+      const Numbers across =
+        truncated(link->shareOfA * load(before + a + k) - link->shareOfB * load(before + b + k));
+      const Numbers ofA = load(quanta + a + k) - across, ofB = load(quanta + b + k) + across;
+      __builtin_memcpy(quanta + a + k, &ofA, sizeof ofA);
+      __builtin_memcpy(quanta + b + k, &ofB, sizeof ofB);
     }
   }
 }
 
-/// `Lanes`: for many fields; a single one takes its numbers one by one.
-template <class Lanes>
+/// `Numbers`: for many fields; a single one takes its numbers one by one.
+template <class Numbers>
 inline void flowBy(const CellDiffusion::Link* links, std::size_t count, unsigned fields,
   const double* before, double* quanta)
 {
-  fields == 1 ? flowAcross<PlainNumbers, 1>(links, count, before, quanta)
-              : flowAcross<Lanes, CellDiffusion::kFields>(links, count, before, quanta);
+  fields == 1 ? flowAcross<double, 1>(links, count, before, quanta)
+              : flowAcross<Numbers, CellDiffusion::kFields>(links, count, before, quanta);
 }
 
 }

@@ -1,14 +1,82 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Estimates/CellEstimate.h"
 
+#include "Estimates/CellSpread.h"
 #include "Estimates/FinalGatherEstimator.h"
-#include "Estimates/SpreadEstimator.h"
-#include "Estimates/SumEstimator.h"
 
 #include <algorithm>
 
 namespace irradiance
 {
+
+namespace
+{
+
+/// From the photons that arrived in the cell itself.
+class SumEstimator : public CellEstimator
+{
+public:
+  using CellEstimator::CellEstimator;
+
+  void update(const EstimateRounds& rounds, Execution& /*execution*/) override
+  {
+    rounds_ = rounds.walks;
+  }
+  ErrorEstimate errorEstimate() const override
+  {
+    return { sums(), walks().plan(), rounds_, walks().largestStart() };
+  }
+
+private:
+  const CellSums& sums() const override { return walks().sums(); }
+  const CellSums& staleSums() const override { return *walks().staleSums(); }
+
+  std::size_t rounds_ = 0;
+};
+
+/// From the sums of the cell and of the cells around it, see CellSpread. Direct light that cells
+/// gathered stays where it is: so the edges of shadows stay sharp.
+class SpreadEstimator : public CellEstimator
+{
+public:
+  /// `photons`: on how many a small cell is to draw, on average.
+  SpreadEstimator(const Frame& frame, const WalkSets& walks, double photons, bool areSidesApart)
+    : CellEstimator(frame, walks)
+    , photons_(photons)
+    , spread_(areSidesApart ? 2 : 1)
+  {
+  }
+
+  void update(const EstimateRounds& rounds, Execution& execution) override
+  {
+    const SceneObjects& objects = frame().objects;
+    const CellSums& all = walks().sums();
+    const std::uint32_t count = walks().plan().walksAfter(rounds.walks);
+    plan_ = WalkPlan(count, count, all.plan().replicates().count());
+    spread_.update(objects, all, rounds.walks, photons_,
+      static_cast<double>(walks().quantaPerWalk()), execution);
+    sums_ = spread_.spread(objects, all, rounds.walks, execution);
+    if (const CellSums* stale = walks().staleSums())
+    {
+      staleSums_ = spread_.spread(objects, *stale, 1, execution);
+    }
+  }
+  ErrorEstimate errorEstimate() const override
+  {
+    return { sums_, plan_, 1, walks().largestStart(), &spread_ };
+  }
+
+private:
+  const CellSums& sums() const override { return sums_; }
+  const CellSums& staleSums() const override { return staleSums_; }
+
+  double photons_;
+  WalkPlan plan_; ///< of the walks that count, in one round
+  CellSpread spread_;
+  CellSums sums_, staleSums_; ///< spread
+};
+
+}
 
 std::unique_ptr<CellEstimator> makeCellEstimator(const EstimateSettings& settings,
   const WalkSettings& walkSettings, const Frame& frame, const WalkSets& walks)
@@ -19,11 +87,7 @@ std::unique_ptr<CellEstimator> makeCellEstimator(const EstimateSettings& setting
       return std::make_unique<SpreadEstimator>(
         frame, walks, settings.spreadPhotons, settings.separateSides);
     case CellEstimate::Gathered:
-      return std::make_unique<FinalGatherEstimator>(frame, walks,
-        FinalGatherEstimator::Settings{ settings.gatherRays,
-          walkSettings.targetRelativeError > 0 ? settings.maximumGatherRays : 0,
-          settings.gathersEverywhere, settings.unbiasedGather, walkSettings.seed,
-          walkSettings.verify });
+      return std::make_unique<FinalGatherEstimator>(frame, walks, settings, walkSettings);
     default:
       return std::make_unique<SumEstimator>(frame, walks);
   }

@@ -33,7 +33,7 @@ struct EstimateSettings
   /// With Gathered, of each side of a cell that gathers; a small one expects fewer than two photons
   /// for each; >= 1.
   std::uint32_t gatherRays = 32;
-  std::uint32_t maximumGatherRays = 1024; ///< >= gatherRays; with a target, see RayRounds
+  std::uint32_t maximumGatherRays = 1024; ///< >= gatherRays; with a target
   bool gathersEverywhere = false;         ///< with Gathered: all cells, not only small ones
   /// With Gathered: no sums are read; paths ask the lights wherever they hit.
   bool unbiasedGather = false;

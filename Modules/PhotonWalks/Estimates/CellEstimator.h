@@ -5,11 +5,13 @@
 #include "Estimates/ErrorEstimate.h"
 #include "Walks/WalkSets.h"
 
+#include <algorithm>
+
 namespace irradiance
 {
 
 /// From how many rounds an estimate is made: of walks, and of rays from cells that gather, see
-/// RayRounds.
+/// FinalGatherScene::inRound().
 struct EstimateRounds
 {
   std::size_t walks = 1, rays = 1;
@@ -35,9 +37,18 @@ public:
   virtual void update(const EstimateRounds& rounds, Execution& execution) = 0;
 
   /// W/m2; 0 for a cell without area.
-  virtual double irradiance(const CellSide& cell, int band) const = 0;
+  double irradiance(const CellSide& cell, int band) const
+  {
+    return perArea(sums().sum(cell, band), cell);
+  }
   /// The part of irradiance() that rests on stale walks.
-  virtual double staleIrradiance(const CellSide& cell, int band) const = 0;
+  double staleIrradiance(const CellSide& cell, int band) const
+  {
+    // Both may be rounded, so the part may come out larger than the whole.
+    return walks_.staleSums()
+      ? perArea(std::min(staleSums().sum(cell, band), sums().sum(cell, band)), cell)
+      : 0.0;
+  }
   /// The errors of irradiance(), from the variance between replicates; what the estimate blurs is
   /// not in them.
   virtual ErrorEstimate errorEstimate() const = 0;
@@ -59,6 +70,12 @@ public:
 protected:
   const Frame& frame() const { return frame_; }
   const WalkSets& walks() const { return walks_; }
+
+private:
+  /// What cells are estimated to receive, in quanta, and what of it rests on stale walks, if walks
+  /// may be stale.
+  virtual const CellSums& sums() const = 0;
+  virtual const CellSums& staleSums() const = 0;
   /// W/m2 of a sum on a cell.
   double perArea(double quanta, const CellSide& cell) const
   {
@@ -66,7 +83,6 @@ protected:
     return area > 0 ? walks_.watts(quanta) / area : 0.0;
   }
 
-private:
   const Frame& frame_;
   const WalkSets& walks_;
 };

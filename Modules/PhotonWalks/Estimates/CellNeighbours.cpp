@@ -18,7 +18,7 @@ struct SmoothEdge
 };
 
 /// The shape of a cell.
-struct CellShape
+struct SmoothCell
 {
   /// A way in the cell, and what the normal turns on it, times `normalLength`.
   Eigen::Matrix<double, 6, 1> way(const Vector3& from, const Vector3& to, double normalLength) const
@@ -67,7 +67,7 @@ public:
         double length = 0, distance = 0; // of both cells together
         for (const std::size_t side : { 0u, 1u })
         {
-          const CellShape& shape = shapes_[cells[side]];
+          const SmoothCell& shape = shapes_[cells[side]];
           const Triangle& triangle = triangles_[edge.triangles[side]];
           const Vector3 &from = cornerOf(triangle, edge.corners[side]),
                         &to = cornerOf(triangle, edge.corners[side] + 1);
@@ -133,7 +133,7 @@ private:
     for (const std::uint32_t i : chosen_)
     {
       const Triangle& t = triangles_[i];
-      CellShape& shape = shapes_[cellOfTriangle_[i]];
+      SmoothCell& shape = shapes_[cellOfTriangle_[i]];
       const double area = t.area();
       shape.area += area;
       shape.middle += area / 3 * (t.a + t.b + t.c);
@@ -144,7 +144,7 @@ private:
       }
       pace_.step();
     }
-    for (CellShape& shape : shapes_)
+    for (SmoothCell& shape : shapes_)
     {
       shape.middle /= shape.area;
       shape.turning /= shape.area;
@@ -158,7 +158,7 @@ private:
   std::vector<Vector3> normals_;
   std::vector<std::uint32_t> chosen_; ///< triangles that have an area
   std::vector<SmoothEdge> edges_;
-  std::vector<CellShape> shapes_; ///< of cells; of one without area nothing
+  std::vector<SmoothCell> shapes_; ///< of cells; of one without area nothing
 };
 
 }

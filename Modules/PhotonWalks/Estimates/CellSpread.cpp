@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Estimates/CellSpread.h"
 
-#include "Estimates/DiffusionShares.h"
-#include "Estimates/SpreadWidth.h"
-
 #include <Eigen/Cholesky>
 
-#include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <numeric>
 
 namespace irradiance
@@ -136,7 +131,7 @@ void CellSpread::forEachSum(
   for (SceneCell cell{ object, 0 }; cell.cell < cells.areas.size(); ++cell.cell)
   {
     forEachSide(cell, sides_ == 2, [&](const CellSide& side) {
-      const std::size_t place = cells.diffusion.placeOf(node++) * fields.width();
+      const std::size_t place = fields.placeOf(node++);
       for (std::uint32_t k = 0; k < fields.count; ++k)
       {
         const std::uint32_t field = fields.first + k;
@@ -159,7 +154,7 @@ CellSums CellSpread::spread(
   std::vector<DiffusingFields> all;
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
-    addFields(object, replicates * bands, all);
+    addFields(objects_[object].diffusion, object, replicates * bands, all);
   }
   const auto begin = [&](DiffusingFields& fields) {
     const unsigned shift = objects_[fields.object].shift;
@@ -172,7 +167,7 @@ CellSums CellSpread::spread(
       isDark = isDark && sum == 0;
     };
     forEachSum(fields, bands, read);
-    fields.stepsDone = isDark ? objects_[fields.object].diffusion.steps() : 0;
+    fields.stepsDone = isDark ? fields.diffusion->steps() : 0;
   };
   const auto end = [&](const DiffusingFields& fields) {
     const unsigned shift = objects_[fields.object].shift;
@@ -188,38 +183,26 @@ CellSums CellSpread::spread(
     };
     forEachSum(fields, bands, write);
   };
-  diffuse(all, diffusionOf(), begin, end, execution);
+  diffuse(all, begin, end, execution);
   return result;
 }
 
 void CellSpread::findPhotonShares(Execution& execution)
 {
-  std::vector<DiffusionShares> measured(objects_.size());
-  std::vector<DiffusingFields> all;
-  for (std::uint32_t object = 0; object < objects_.size(); ++object)
+  std::vector<ObjectCells*> unknown;
+  std::vector<std::pair<const std::vector<double>*, const CellDiffusion*>> surfaces;
+  for (ObjectCells& cells : objects_)
   {
-    const ObjectCells& cells = objects_[object];
     if (cells.diffusion.steps() > 0 && cells.photonShares.empty())
     {
-      measured[object] = DiffusionShares(cells.areas, sides_);
-      addFields(object, DiffusionShares::kFields, all);
+      unknown.push_back(&cells);
+      surfaces.emplace_back(&cells.areas, &cells.diffusion);
     }
   }
-  const auto begin = [&](DiffusingFields& fields) {
-    measured[fields.object].fill(objects_[fields.object].diffusion, fields);
-  };
-  std::mutex mutex;
-  const auto end = [&](const DiffusingFields& fields) {
-    const std::lock_guard<std::mutex> lock(mutex);
-    measured[fields.object].add(objects_[fields.object].diffusion, fields);
-  };
-  diffuse(all, diffusionOf(), begin, end, execution);
-  for (const DiffusingFields& fields : all)
+  std::vector<std::vector<float>> shares = photonShares(surfaces, sides_, execution);
+  for (std::size_t i = 0; i < unknown.size(); ++i)
   {
-    if (fields.first == 0)
-    {
-      objects_[fields.object].photonShares = measured[fields.object].shares();
-    }
+    unknown[i]->photonShares = std::move(shares[i]);
   }
 }
 

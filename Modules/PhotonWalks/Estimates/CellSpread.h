@@ -2,9 +2,8 @@
 #ifndef irradiance_CellSpread_h
 #define irradiance_CellSpread_h
 
-#include "Estimates/DiffusingFields.h"
-#include "Estimates/PhotonShares.h"
-#include "Tally/CellSums.h"
+#include "Estimates/ErrorEstimate.h"
+#include "Estimates/SurfaceDiffusion.h"
 
 #include <memory>
 #include <vector>
@@ -72,11 +71,6 @@ private:
   /// Each replicate of an object has a field for each band.
   template <class Visit>
   void forEachSum(const DiffusingFields& fields, std::uint32_t bands, const Visit& visit) const;
-  auto diffusionOf() const
-  {
-    return
-      [this](std::size_t object) -> const CellDiffusion& { return objects_[object].diffusion; };
-  }
 
   int sides_;
   std::vector<ObjectCells> objects_;

@@ -113,19 +113,17 @@ std::vector<ErrorEstimate::Part> ErrorEstimate::partsOf(
     }
   });
   constexpr std::size_t kPartsPerUnit = 4096;
-  SlicedPass pass{ (parts.size() + kPartsPerUnit - 1) / kPartsPerUnit, {} };
-  pass.work = [&](std::size_t unit, const Deadline&) {
-    for (std::size_t i = unit * kPartsPerUnit;
-         i < std::min((unit + 1) * kPartsPerUnit, parts.size()); ++i)
-    {
-      for (int band = 0; band < sums_.bands(); ++band)
+  forEachSliced(
+    (parts.size() + kPartsPerUnit - 1) / kPartsPerUnit, execution, [&](std::size_t unit) {
+      for (std::size_t i = unit * kPartsPerUnit;
+           i < std::min((unit + 1) * kPartsPerUnit, parts.size()); ++i)
       {
-        parts[i].received[static_cast<std::size_t>(band)] = received(parts[i].cell, band);
+        for (int band = 0; band < sums_.bands(); ++band)
+        {
+          parts[i].received[static_cast<std::size_t>(band)] = received(parts[i].cell, band);
+        }
       }
-    }
-    return true;
-  };
-  pass.run(execution);
+    });
   return parts;
 }
 
@@ -138,7 +136,7 @@ double ErrorEstimate::partOfRays(const Received& received, double rayVariance) c
                  : 1.0;
 }
 
-std::vector<ErrorEstimate::Judged> ErrorEstimate::judged(const std::vector<Part>& parts) const
+void ErrorEstimate::judge(std::vector<Part>& parts) const
 {
   double area = 0;
   Bands sums{}; // quanta
@@ -151,40 +149,37 @@ std::vector<ErrorEstimate::Judged> ErrorEstimate::judged(const std::vector<Part>
     }
   }
   const double factor = confidenceFactor(static_cast<std::uint32_t>(share_.size()));
-  std::vector<Judged> all;
-  all.reserve(parts.size());
-  for (const Part& part : parts)
+  for (Part& part : parts)
   {
-    Judged worst{ 0, part.area, false, 0 };
     for (int band = 0; band < sums_.bands(); ++band)
     {
       const auto i = static_cast<std::size_t>(band);
       const double error = relativeError(part.received[i], sums[i] / area * part.area, factor);
-      if (error > worst.error)
+      if (error > part.error)
       {
         const std::optional<double> rayVariance =
           shares_ ? shares_->rayVariance(part.cell, band) : std::nullopt;
-        worst = { error, part.area, rayVariance.has_value(),
-          rayVariance ? partOfRays(part.received[i], *rayVariance) : 0 };
+        part.error = error;
+        part.castsRays = rayVariance.has_value();
+        part.ofRays = rayVariance ? partOfRays(part.received[i], *rayVariance) : 0;
       }
     }
-    all.push_back(worst);
   }
-  return all;
 }
 
 TargetMiss ErrorEstimate::missOf(
   double target, const SceneCells& cells, bool areSidesApart, Execution& execution) const
 {
-  const std::vector<Judged> parts = judged(partsOf(cells, areSidesApart, execution));
+  std::vector<Part> parts = partsOf(cells, areSidesApart, execution);
+  judge(parts);
   double area = 0;
-  for (const Judged& part : parts)
+  for (const Part& part : parts)
   {
     area += part.area;
   }
   TargetMiss miss;
   miss.reached = quantileOfArea(parts, kConfidence * area);
-  for (const Judged& part : parts)
+  for (const Part& part : parts)
   {
     const bool misses = part.error > target, isNeeded = part.error <= miss.reached;
     miss.byWalks += misses && isNeeded ? part.area * (1 - part.ofRays) / 2 : 0;

@@ -2,15 +2,31 @@
 #ifndef irradiance_ErrorEstimate_h
 #define irradiance_ErrorEstimate_h
 
-#include "Estimates/PhotonShares.h"
 #include "Execution/Execution.h"
 #include "Tally/CellSums.h"
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace irradiance
 {
+
+/// What knows on how many photons estimates of cells draw that are not the cells' own sums.
+class PhotonShares
+{
+public:
+  virtual ~PhotonShares() = default;
+  /// A photon's effective part in the estimate of a cell, 0..1: the estimate draws on 1 / this for
+  /// each photon that the cell expects.
+  virtual double photonShare(const CellSide& cell) const = 0;
+  /// The variance of its estimate that comes of the rays of the cell, quanta^2; nothing if it casts
+  /// none.
+  virtual std::optional<double> rayVariance(const CellSide& /*cell*/, int /*band*/) const
+  {
+    return {};
+  }
+};
 
 /// How far the area is from a target. Promises are parts of the variance, times the area, summed up
 /// over what lies between the target and `reached`: what is worse is not needed.
@@ -93,19 +109,17 @@ private:
     CellSide cell;
     double area; ///< m2
     std::array<Received, Power::kMaxBands> received{};
+    // In its worst band:
+    double error = 0;
+    bool castsRays = false;
+    double ofRays = 0; ///< the part of its variance that comes of rays
   };
   Received received(const CellSide& cell, int band) const;
   /// All cells, or sides of cells, that have an area.
   std::vector<Part> partsOf(
     const SceneCells& cells, bool areSidesApart, Execution& execution) const;
-  /// How well a part is known in its worst band.
-  struct Judged
-  {
-    double error, area;
-    bool castsRays;
-    double ofRays; ///< the part of its variance that comes of rays
-  };
-  std::vector<Judged> judged(const std::vector<Part>& parts) const;
+  /// Sets what is said of the worst bands.
+  void judge(std::vector<Part>& parts) const;
   double partOfRays(const Received& received, double rayVariance) const;
   /// `average`: quanta that a cell of this area receives on average. `factor`: confidenceFactor().
   static double relativeError(const Received& received, double average, double factor);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Estimates/FinalGatherEstimator.h"
 
-#include "FinalGather/DarkShapes.h"
-#include "FinalGather/NearLampLight.h"
 #include "FinalGather/PathLights.h"
 
 #include <algorithm>
@@ -10,6 +8,44 @@
 
 namespace irradiance
 {
+
+namespace
+{
+
+/// As in a room, see DirectPlan.
+constexpr double kWalksPerSample = 36;
+
+/// Adds the direct light of lights from which walks start, near lamps see FirstHits, to the cells
+/// that gather: their walks bring it together with the indirect light, which these cells do not
+/// take from walks. They gather it as they do that of all other lights. `rounds`: of the walks that
+/// divide the flux of the lights. `sums`: adds to their first round; all ranks add the same.
+void addNearLampLight(const FinalGatherScene& scene, const WalkSet& set, std::size_t rounds,
+  CellSums& sums, Execution& execution)
+{
+  const CancelPoint cancelPoint = cancelPointOf(execution, 0);
+  const LightTable& lights = set.lights();
+  const std::uint32_t walks = set.source().plan.walksAfter(rounds);
+  const std::uint32_t replicates = sums.plan().replicates().count();
+  const double quantaPerWatt = static_cast<double>(lights.quantaPerWalk()) * walks / lights.flux();
+  const std::shared_ptr<const LampPieces> known = set.source().knownLamps();
+  const LampPieces& lamps = *known;
+  CellShapes shapes = scene.shapes;
+  scene.frame.cells.numbers().forEach([&](const SceneCell& cell) {
+    if (!scene.roles.gathers(cell)) // counts as dark: it takes no samples
+    {
+      shapes.setDark(scene.frame.cells.numbers()[cell], true, true);
+    }
+  });
+  const DirectPlan plan(shapes, lamps,
+    { walks, kWalksPerSample, { scene.rays, scene.rays, 2 * scene.rays }, replicates },
+    cancelPoint);
+  DirectLight light(
+    shapes, lamps, plan, splitMix(scene.seed + set.source().firstWalk), quantaPerWatt);
+  light.gather(scene.frame, execution);
+  light.addTo(sums, 0, 1, {}, cancelPoint);
+}
+
+}
 
 void FinalGatherEstimator::update(const EstimateRounds& rounds, Execution& execution)
 {
@@ -21,17 +57,17 @@ void FinalGatherEstimator::update(const EstimateRounds& rounds, Execution& execu
   // The walks of the first round decide which cells cast rays: all rounds have the same paths, and
   // a cell does not stop casting rays because more walks are shot.
   roles_.emplace(frame().cells, walks().plan().walksAfter(1),
-    walks().isEmpty() ? 0 : settings_.rays, settings_.isEverywhere, !settings_.isUnbiased);
+    walks().isEmpty() ? 0 : settings_.gatherRays, settings_.gathersEverywhere,
+    !settings_.unbiasedGather);
   const CellShapes shapes = darkShapesOf(walks(), frame(), cancelPoint);
   const std::deque<PointDirectLight> lights =
-    lightsOf(walks(), frame(), settings_.seed, kSamplesOfHit);
-  const FoundLamps foundLamps(walks(), frame().cells.numbers());
-  const UnevenCells unevenCells(shapes, *roles_, walks(), cancelPoint);
-  FinalGatherScene scene{ frame(), shapes, *roles_,
-    { all, settings_.isUnbiased ? nullptr : &direct, walks().staleSums(), rounds.walks }, lights,
-    foundLamps, unevenCells, static_cast<std::uint32_t>(rays().after(1)),
-    1 / walks().watts(1.0, rounds.walks), settings_.seed, keepsPaths() || settings_.mostRays > 0 };
-  scene.tellsNoise = settings_.mostRays > 0;
+    lightsOf(walks(), frame(), seed_, kSamplesOfHit);
+  const std::vector<bool> found = foundLamps(walks(), frame().cells.numbers());
+  const std::vector<bool> uneven = unevenCells(shapes, *roles_, walks(), cancelPoint);
+  FinalGatherScene scene{ frame(), shapes, *roles_, all, settings_.unbiasedGather ? nullptr : &direct,
+    walks().staleSums(), rounds.walks, lights, found, uneven, firstRays(),
+    1 / walks().watts(1.0, rounds.walks), seed_, keepsPaths() || mostRays_ > 0 };
+  scene.tellsNoise = mostRays_ > 0;
   for (const WalkSet& set : walks().sets())
   {
     if (!set.source().cells && !set.source().areFoundByRays && !set.lights().isEmpty())
@@ -46,35 +82,34 @@ void FinalGatherEstimator::update(const EstimateRounds& rounds, Execution& execu
 void FinalGatherEstimator::putTogether(
   const FinalGatherScene& scene, const CellSums& direct, const CancelPoint& cancelPoint)
 {
-  const KnownLight& known = scene.known;
-  const std::uint32_t count = walks().plan().walksAfter(known.rounds);
-  const std::uint32_t replicates = known.all.plan().replicates().count();
+  const std::uint32_t count = walks().plan().walksAfter(scene.knownRounds);
+  const std::uint32_t replicates = scene.replicates();
   sums_ = CellSums::ofGathered(scene.frame.objects, WalkPlan(count, count, replicates));
-  staleSums_ = CellSums::ofGathered(scene.frame.objects, {}, known.stale ? 1 : 0);
+  staleSums_ = CellSums::ofGathered(scene.frame.objects, {}, scene.knownStale ? 1 : 0);
   ThrottledCancelPoint pace(cancelPoint);
-  known.all.numbers().forEach([&](const SceneCell& cell) {
+  scene.known.numbers().forEach([&](const SceneCell& cell) {
     const bool gathers = roles_->gathers(cell);
-    const CellSums& own = gathers ? direct : known.all;
+    const CellSums& own = gathers ? direct : scene.known;
     forEachSide(cell, true, [&](const CellSide& side) {
       for (std::uint32_t i = 0; i < replicates; ++i)
       {
-        Bands sum = own.sums(side, i, known.rounds);
+        Bands sum = own.sums(side, i, scene.knownRounds);
         sum += gathers ? gather_.indirect().sums(side, i, 1) : Bands{};
         sums_.setGathered(side, i, sum);
       }
-      if (known.stale)
+      if (scene.knownStale)
       {
         staleSums_.setGathered(
-          side, 0, (gathers ? gather_.stale() : *known.stale).sums(side, 0, 1));
+          side, 0, (gathers ? gather_.stale() : *scene.knownStale).sums(side, 0, 1));
       }
     });
     pace.step();
   });
 }
 
-RayRounds FinalGatherEstimator::rays() const
+std::uint32_t FinalGatherEstimator::firstRays() const
 {
-  return { dealtRays(settings_.rays, walks().plan().replicates().count()), settings_.mostRays };
+  return dealtRays(settings_.gatherRays, walks().plan().replicates().count());
 }
 
 /// Of a single ray nothing is known: its noise counts for all that there is.
@@ -96,19 +131,11 @@ std::optional<double> FinalGatherEstimator::rayVariance(const CellSide& cell, in
   return variance;
 }
 
-double FinalGatherEstimator::staleIrradiance(const CellSide& cell, int band) const
-{
-  // Both are rounded, so the part may come out larger than the whole.
-  return walks().staleSums()
-    ? perArea(std::min(staleSums_.sum(cell, band), sums_.sum(cell, band)), cell)
-    : 0.0;
-}
-
 /// Each ray reads a cell that expects fewestToRead() photons at least; one that reads none is worth
 /// one.
 double FinalGatherEstimator::photonShare(const CellSide& cell) const
 {
-  const double eachDraws = settings_.isUnbiased ? 1 : roles_->fewestToRead();
+  const double eachDraws = settings_.unbiasedGather ? 1 : roles_->fewestToRead();
   const double drawn = eachDraws * static_cast<double>(numberOfRays()) * roles_->timesOf(cell);
   const WalkPlan& plan = walks().plan();
   const double expected = roles_->expectedOn(frame().cells.area(cell)) *

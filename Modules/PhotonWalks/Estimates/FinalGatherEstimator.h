@@ -2,10 +2,9 @@
 #ifndef irradiance_FinalGatherEstimator_h
 #define irradiance_FinalGatherEstimator_h
 
+#include "Estimates/CellEstimate.h"
 #include "Estimates/CellEstimator.h"
-#include "Estimates/PhotonShares.h"
 #include "FinalGather/FinalGather.h"
-#include "FinalGather/RayRounds.h"
 
 #include <optional>
 
@@ -25,37 +24,28 @@ class FinalGatherEstimator
   , private PhotonShares
 {
 public:
-  struct Settings
-  {
-    std::uint32_t rays;     ///< of each side of a cell; rounded up to a multiple of the replicates
-    std::uint32_t mostRays; ///< likewise, if a target takes more; 0: no target
-    bool isEverywhere;      ///< all cells gather, not only small ones
-    bool isUnbiased;        ///< no sums are read
-    std::uint64_t seed;
-    bool keepsPaths; ///< for frames in which things have moved
-  };
-
-  FinalGatherEstimator(const Frame& frame, const WalkSets& walks, const Settings& settings)
+  FinalGatherEstimator(const Frame& frame, const WalkSets& walks, const EstimateSettings& settings,
+    const WalkSettings& walkSettings)
     : CellEstimator(frame, walks)
     , settings_(settings)
+    , seed_(walkSettings.seed)
+    , mostRays_(walkSettings.targetRelativeError > 0 ? settings.maximumGatherRays : 0)
+    , mayFollow_(walkSettings.verify)
   {
   }
 
   /// There must be no unseenLight().
   void update(const EstimateRounds& rounds, Execution& execution) override;
-  double irradiance(const CellSide& cell, int band) const override
-  {
-    return perArea(sums_.sum(cell, band), cell);
-  }
-  /// Linear in what the walks of the cells hit have stale; of direct light nothing is stale.
-  double staleIrradiance(const CellSide& cell, int band) const override;
   ErrorEstimate errorEstimate() const override
   {
     return { sums_, sums_.plan(), 1, walks().largestStart(), this };
   }
 
-  std::size_t mostRayRounds() const override { return rays().most(); }
-  std::uint64_t numberOfRays() const override { return rays().after(rounds_.rays); }
+  std::size_t mostRayRounds() const override
+  {
+    return roundsWithin(firstRays(), mostRays_);
+  }
+  std::uint64_t numberOfRays() const override { return raysAfter(firstRays(), rounds_.rays); }
   std::int64_t raySegments() const override { return gather_.segments(); }
   void dropRayRounds(std::size_t kept) override { gather_.dropRounds(keepsPaths() ? kept : 0); }
   std::size_t bytes() const override
@@ -65,19 +55,22 @@ public:
   std::int64_t followedPaths() const override { return gather_.numberFollowed(); }
 
 private:
+  const CellSums& sums() const override { return sums_; }
+  /// Linear in what the walks of the cells hit have stale; of direct light nothing is stale.
+  const CellSums& staleSums() const override { return staleSums_; }
   double photonShare(const CellSide& cell) const override;
   std::optional<double> rayVariance(const CellSide& cell, int band) const override;
-  RayRounds rays() const;
+  std::uint32_t firstRays() const;
   /// For frames to come.
-  bool keepsPaths() const
-  {
-    return settings_.keepsPaths && !frame().objects.dynamicObjects.empty();
-  }
+  bool keepsPaths() const { return mayFollow_ && !frame().objects.dynamicObjects.empty(); }
   /// From what cells have themselves, and what was gathered for them.
   void putTogether(
     const FinalGatherScene& scene, const CellSums& direct, const CancelPoint& cancelPoint);
 
-  Settings settings_;
+  EstimateSettings settings_;
+  std::uint64_t seed_;
+  std::uint32_t mostRays_; ///< of a side, if a target takes more; 0: no target
+  bool mayFollow_;         ///< motions
   FinalGather gather_;
   EstimateRounds rounds_;          ///< of the last update
   std::optional<CellRoles> roles_; ///< of the last update

@@ -8,21 +8,24 @@
 namespace irradiance
 {
 
-void SlicedPass::run(Execution& execution) const
+void runSliced(std::size_t units, Execution& execution,
+  const std::function<bool(std::size_t unit, const std::function<bool()>& hasToStop)>& work)
 {
   std::vector<char> isDone(units, 0);
   std::size_t first = 0; // unit that is not done yet
   while (first < units)
   {
-    const Deadline deadline(execution);
+    const std::function<bool()> hasToStop = [&, end = execution.slicingSeconds() + 0.03] {
+      return execution.slicingSeconds() >= end;
+    };
     std::mutex mutex;
     std::exception_ptr error;
     execution.parallelFor(units - first, [&](std::size_t begin, std::size_t end) {
       try
       {
-        for (std::size_t i = first + begin; i < first + end && !deadline.hasPassed(); ++i)
+        for (std::size_t i = first + begin; i < first + end && !hasToStop(); ++i)
         {
-          isDone[i] = isDone[i] != 0 || work(i, deadline) ? 1 : 0;
+          isDone[i] = isDone[i] != 0 || work(i, hasToStop) ? 1 : 0;
         }
       }
       catch (...)

@@ -3,7 +3,6 @@
 #define irradiance_AdaptiveTrapezoids_h
 
 #include "Exposure/IntegrationTimes.h"
-#include "Exposure/TimeHalving.h"
 
 #include <algorithm>
 #include <array>
@@ -40,12 +39,12 @@ public:
   /// `firstTimes`: in order, an odd number from 3 on. `tolerance`: relative to the sums of a block.
   AdaptiveTrapezoids(std::vector<double> firstTimes, double tolerance, std::size_t mostIntervals)
     : firstTimes_(std::move(firstTimes))
-    , halving_({ firstTimes_.back() - firstTimes_.front(), tolerance, mostIntervals })
+    , halving_(firstTimes_.back() - firstTimes_.front(), tolerance, mostIntervals)
   {
-    makePlaces({}, (firstTimes_.size() - 1) / 2);
+    makeSpans(std::make_shared<Span>(), (firstTimes_.size() - 1) / 2);
   }
 
-  bool isDone() const { return isDone_; }
+  bool isDone() const { return sums_ != nullptr; }
   /// The time that is needed next; not if done.
   double nextTime() const { return nextTimes(1).front(); }
   /// The times that are needed next, in order, as far as they are known: 1 to `most`; not if done.
@@ -67,67 +66,108 @@ private:
   static constexpr double kFirstShare = 0.5;
 
   using Node = std::shared_ptr<const Sample>;
-  struct Merge;
-  /// Where the sums over a span of time go: the first or the second half of a longer span; null: it
-  /// is all.
-  struct Place
+  /// A span of time, whose sums go to the span of which it is the first or the second half.
+  struct Span
   {
-    std::shared_ptr<Merge> whole;
+    std::shared_ptr<Span> whole; ///< null: it is all
     bool isSecond = false;
+    std::unique_ptr<Sums> half; ///< of the half whose sums came first
   };
-  /// Two halves become one.
-  struct Merge
-  {
-    Place place;
-    std::unique_ptr<Sums> other; ///< of the half that came first
-  };
-  /// An interval whose middle is to be visited.
-  struct Task
-  {
-    Node start, end;
-    Place place;
-  };
+  /// Two intervals; or one, until its middle is visited.
   struct Pair
   {
     Node start, middle, end;
-    Place place;
+    std::shared_ptr<Span> span;
   };
 
-  void makePlaces(const Place& place, std::size_t count);
+  static std::shared_ptr<Span> halfOf(const std::shared_ptr<Span>& whole, bool isSecond)
+  {
+    return std::make_shared<Span>(Span{ whole, isSecond, nullptr });
+  }
+  void makeSpans(const std::shared_ptr<Span>& span, std::size_t count)
+  {
+    if (count == 1)
+    {
+      firstSpans_.push_back(span);
+      return;
+    }
+    makeSpans(halfOf(span, false), count / 2);
+    makeSpans(halfOf(span, true), count - count / 2);
+  }
   template <class Measure>
-  void addPair(const Pair& pair, const Measure& measure);
-  void settle(std::size_t id);
-  void deliver(Place place, std::unique_ptr<Sums> sums);
+  void addPair(const Pair& pair, const Measure& measure)
+  {
+    const std::size_t id = nextId_++;
+    halving_.add({ id, pair.start->time, pair.middle->time, pair.end->time,
+      measure(
+        std::array<const Sample*, 3>{ pair.start.get(), pair.middle.get(), pair.end.get() }) });
+    open_.emplace(id, pair);
+  }
+  void settle(std::size_t id)
+  {
+    const Pair pair = open_.at(id);
+    open_.erase(id);
+    const double start = pair.start->time, middle = pair.middle->time, end = pair.end->time;
+    auto sums = std::make_unique<Sums>();
+    sums->add(*pair.start, trapezoidWeight(start, middle));
+    sums->add(*pair.middle, trapezoidWeight(start, end));
+    sums->add(*pair.end, trapezoidWeight(middle, end));
+    sums->close();
+    deliver(pair.span, std::move(sums));
+  }
+  void deliver(std::shared_ptr<Span> span, std::unique_ptr<Sums> sums)
+  {
+    for (; span->whole; span = span->whole)
+    {
+      std::unique_ptr<Sums>& other = span->whole->half;
+      if (!other)
+      {
+        other = std::move(sums);
+        return;
+      }
+      if (span->isSecond)
+      {
+        std::swap(sums, other);
+      }
+      sums->append(std::move(*other));
+    }
+    sums_ = std::move(sums);
+  }
   /// Asks for the halves of the worst pair, or ends.
-  void halveWorst();
-  void finish();
+  void halveWorst()
+  {
+    // It falls about like a geometric sequence, until it is 1.
+    const double left = std::log(halving_.excess()) / std::log(firstExcess_);
+    const auto worst = halving_.takeWorst();
+    if (!worst)
+    {
+      while (!open_.empty())
+      {
+        settle(open_.begin()->first);
+      }
+      std::sort(times_.begin(), times_.end());
+      progress_ = 1;
+      return;
+    }
+    progress_ = std::max(progress_, 1 - (1 - kFirstShare) * std::clamp(left, 0.0, 1.0));
+    const Pair pair = open_.at(*worst);
+    open_.erase(*worst);
+    tasks_.push_back({ pair.start, nullptr, pair.middle, halfOf(pair.span, false) });
+    tasks_.push_back({ pair.middle, nullptr, pair.end, halfOf(pair.span, true) });
+  }
 
   std::vector<double> firstTimes_;
   TimeHalving halving_;
-  std::vector<double> times_;      ///< in the order of visits, until all is done
-  std::vector<Place> firstPlaces_; ///< of pairs of first intervals
-  std::vector<Node> recent_;       ///< at the first times, of the pair that is not complete
+  std::vector<double> times_;                     ///< in the order of visits, until all is done
+  std::vector<std::shared_ptr<Span>> firstSpans_; ///< of pairs of first intervals
+  std::vector<Node> recent_; ///< at the first times, of the pair that is not complete
   std::map<std::size_t, Pair> open_;
   std::size_t nextId_ = 0;
-  std::deque<Task> tasks_;
+  std::deque<Pair> tasks_; ///< intervals whose middles are to be visited
   double firstExcess_ = 0; ///< TimeHalving::excess() when all first times are known
   double progress_ = 0;
-  bool isDone_ = false;
-  std::unique_ptr<Sums> sums_;
+  std::unique_ptr<Sums> sums_; ///< over all; null until it is done
 };
-
-template <class Sample, class Sums>
-void AdaptiveTrapezoids<Sample, Sums>::makePlaces(const Place& place, std::size_t count)
-{
-  if (count == 1)
-  {
-    firstPlaces_.push_back(place);
-    return;
-  }
-  const auto merge = std::make_shared<Merge>(Merge{ place, nullptr });
-  makePlaces({ merge, false }, count / 2);
-  makePlaces({ merge, true }, count - count / 2);
-}
 
 template <class Sample, class Sums>
 std::vector<double> AdaptiveTrapezoids<Sample, Sums>::nextTimes(std::size_t most) const
@@ -155,7 +195,8 @@ void AdaptiveTrapezoids<Sample, Sums>::take(Sample sample, const Measure& measur
   progress_ = std::max(progress_, kFirstShare * std::min(1.0, known));
   if (!isFirst)
   {
-    addPair({ tasks_.front().start, node, tasks_.front().end, tasks_.front().place }, measure);
+    tasks_.front().middle = node;
+    addPair(tasks_.front(), measure);
     tasks_.pop_front();
   }
   else
@@ -163,7 +204,7 @@ void AdaptiveTrapezoids<Sample, Sums>::take(Sample sample, const Measure& measur
     recent_.push_back(node);
     if (recent_.size() == 3)
     {
-      addPair({ recent_[0], recent_[1], recent_[2], firstPlaces_[times_.size() / 2 - 1] }, measure);
+      addPair({ recent_[0], recent_[1], recent_[2], firstSpans_[times_.size() / 2 - 1] }, measure);
       recent_ = { node };
     }
   }
@@ -180,82 +221,6 @@ void AdaptiveTrapezoids<Sample, Sums>::take(Sample sample, const Measure& measur
   {
     halveWorst();
   }
-}
-
-template <class Sample, class Sums>
-template <class Measure>
-void AdaptiveTrapezoids<Sample, Sums>::addPair(const Pair& pair, const Measure& measure)
-{
-  const std::size_t id = nextId_++;
-  halving_.add({ id, pair.start->time, pair.middle->time, pair.end->time,
-    measure(std::array<const Sample*, 3>{ pair.start.get(), pair.middle.get(), pair.end.get() }) });
-  open_.emplace(id, pair);
-}
-
-template <class Sample, class Sums>
-void AdaptiveTrapezoids<Sample, Sums>::halveWorst()
-{
-  // It falls about like a geometric sequence, until it is 1.
-  const double left = std::log(halving_.excess()) / std::log(firstExcess_);
-  const auto worst = halving_.takeWorst();
-  if (!worst)
-  {
-    finish();
-    return;
-  }
-  progress_ = std::max(progress_, 1 - (1 - kFirstShare) * std::clamp(left, 0.0, 1.0));
-  const Pair pair = open_.at(*worst);
-  open_.erase(*worst);
-  const auto merge = std::make_shared<Merge>(Merge{ pair.place, nullptr });
-  tasks_.push_back({ pair.start, pair.middle, { merge, false } });
-  tasks_.push_back({ pair.middle, pair.end, { merge, true } });
-}
-
-template <class Sample, class Sums>
-void AdaptiveTrapezoids<Sample, Sums>::settle(std::size_t id)
-{
-  const Pair pair = open_.at(id);
-  open_.erase(id);
-  const double start = pair.start->time, middle = pair.middle->time, end = pair.end->time;
-  auto sums = std::make_unique<Sums>();
-  sums->add(*pair.start, trapezoidWeight(start, middle));
-  sums->add(*pair.middle, trapezoidWeight(start, end));
-  sums->add(*pair.end, trapezoidWeight(middle, end));
-  sums->close();
-  deliver(pair.place, std::move(sums));
-}
-
-template <class Sample, class Sums>
-void AdaptiveTrapezoids<Sample, Sums>::deliver(Place place, std::unique_ptr<Sums> sums)
-{
-  while (place.whole)
-  {
-    Merge& merge = *place.whole;
-    if (!merge.other)
-    {
-      merge.other = std::move(sums);
-      return;
-    }
-    if (place.isSecond)
-    {
-      std::swap(sums, merge.other);
-    }
-    sums->append(std::move(*merge.other));
-    place = Place(merge.place);
-  }
-  sums_ = std::move(sums);
-}
-
-template <class Sample, class Sums>
-void AdaptiveTrapezoids<Sample, Sums>::finish()
-{
-  while (!open_.empty())
-  {
-    settle(open_.begin()->first);
-  }
-  std::sort(times_.begin(), times_.end());
-  progress_ = 1;
-  isDone_ = true;
 }
 
 }

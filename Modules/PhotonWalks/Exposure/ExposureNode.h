@@ -2,9 +2,8 @@
 #ifndef irradiance_ExposureNode_h
 #define irradiance_ExposureNode_h
 
-#include "Exposure/PhotonNoise.h"
-#include "Exposure/SharedValues.h"
-#include "Exposure/TimeHalving.h"
+#include "Exposure/IntegrationTimes.h"
+#include "Exposure/ReplicateSums.h"
 
 #include <array>
 #include <string>
@@ -32,8 +31,8 @@ public:
   };
 
   /// `sides`: of each block, none without cells.
-  ExposureNode(double time, const std::vector<std::vector<Side>>& sides,
-    const std::vector<ExposureBlock>& blocks);
+  ExposureNode(
+    double time, std::vector<std::vector<Side>> sides, const std::vector<ExposureBlock>& blocks);
 
   /// Of the trapezoids between three times, on each block. Its error: by how much it differs from
   /// one trapezoid over both intervals, summed up over cells, sides and bands, in so far as photons
@@ -43,19 +42,14 @@ public:
     const Three& nodes, const std::vector<ExposureBlock>& blocks);
 
 private:
-  struct Leaf
-  {
-    std::vector<Side> sides;
-    double power = 0; ///< W, of all cells, sides and bands
-  };
-
-  static double powerOf(const Side& side, const std::vector<double>& areas);
-  /// J, of all cells; `weights`: of the nodes.
-  static NoisyDifference differenceOf(const Three& nodes, const std::array<double, 3>& weights,
-    std::size_t leaf, std::size_t side, const std::vector<double>& areas);
+  /// Adds the weighted sum of the nodes to the error and the noise of a measure, J.
+  static void addDifference(const Three& nodes, const std::array<double, 3>& weights,
+    std::size_t block, std::size_t side, const std::vector<double>& areas,
+    IntervalMeasure& measure);
 
   double time_;
-  std::vector<Leaf> leaves_;
+  std::vector<std::vector<Side>> sides_;
+  std::vector<double> powers_; ///< of each block, W: of all cells, sides and bands
 };
 
 }

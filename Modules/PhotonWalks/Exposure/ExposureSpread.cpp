@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Exposure/ExposureSpread.h"
 
-#include "Estimates/DiffusionShares.h"
-#include "Estimates/SpreadWidth.h"
+#include "Estimates/SurfaceDiffusion.h"
 
 #include <cmath>
-#include <mutex>
 #include <numeric>
 
 namespace irradiance
@@ -41,7 +39,9 @@ public:
       static_cast<int>(sides_.size()), spreadWidth(photons, area, received), cancelPoint);
     if (diffusion_.steps() > 0)
     {
-      setPhotons(photonShares(execution), received);
+      const auto shares =
+        photonShares({ { &areas_, &diffusion_ } }, static_cast<int>(sides_.size()), execution);
+      setPhotons(shares.front(), received);
       spread(execution);
     }
   }
@@ -98,20 +98,6 @@ private:
     return sum * sum / variances;
   }
 
-  std::vector<float> photonShares(Execution& execution) const
-  {
-    DiffusionShares measured(areas_, static_cast<int>(sides_.size()));
-    std::mutex mutex;
-    diffuse(
-      DiffusionShares::kFields, [&](DiffusingFields& fields) { measured.fill(diffusion_, fields); },
-      [&](const DiffusingFields& fields) {
-        const std::lock_guard<std::mutex> lock(mutex);
-        measured.add(diffusion_, fields);
-      },
-      execution);
-    return measured.shares();
-  }
-
   void setPhotons(const std::vector<float>& shares, double received)
   {
     for (std::size_t band = 0; band < bands_; ++band)
@@ -127,16 +113,6 @@ private:
         }
       }
     }
-  }
-
-  template <class Begin, class End>
-  void diffuse(std::size_t count, const Begin& begin, const End& end, Execution& execution) const
-  {
-    std::vector<DiffusingFields> all;
-    addFields(0, static_cast<std::uint32_t>(count), all);
-    irradiance::diffuse(
-      all, [this](std::size_t) -> const CellDiffusion& { return diffusion_; }, begin, end,
-      execution);
   }
 
   /// The power of two, J, of which a field has less than 2^52 in all.
@@ -156,7 +132,7 @@ private:
   {
     for (std::size_t node = 0; node < nodes(); ++node)
     {
-      const std::size_t place = diffusion_.placeOf(node) * fields.width();
+      const std::size_t place = fields.placeOf(node);
       for (std::uint32_t k = 0; k < fields.count; ++k)
       {
         visit(node, std::size_t{ fields.first } + k, place + k);
@@ -190,7 +166,9 @@ private:
         }
       });
     };
-    diffuse(count, begin, end, execution);
+    std::vector<DiffusingFields> all;
+    addFields(diffusion_, 0, count, all);
+    diffuse(all, begin, end, execution);
   }
 
   const ExposedSurface& surface_;

@@ -111,35 +111,31 @@ double ReplicateSums::varianceOfMean(const std::vector<double>& terms)
   return squares / (number * (number - 1));
 }
 
-ReplicateSums::Evidence ReplicateSums::evidenceOf(std::size_t i, double exposure) const
-{
-  constexpr double fewest = ErrorEstimate::kFewestPhotons * (1 - 1e-9); // numbers are rounded
-  if (!photons_.empty() && photons_[i] > 0)
-  {
-    return { exposure >= fewest * photons_[i], false, photons_[i] * photons_[i] };
-  }
-  const Counts& counts = counts_[i];
-  const double firstRun = counts.isOneRun ? 0 : counts.firstRun;
-  return { counts.photons >= fewest, counts.photonTime >= fewest * counts.litTime,
-    firstRun * firstRun + counts.photonSquares + counts.lastRun * counts.lastRun };
-}
-
 double ReplicateSums::standardError(std::size_t i, double exposure) const
 {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  const Evidence evidence = evidenceOf(i, exposure);
-  if (replicates_ < 2 || !evidence.maySuffice)
+  constexpr double fewest = ErrorEstimate::kFewestPhotons * (1 - 1e-9); // numbers are rounded
+  const Counts& counts = counts_[i];
+  const bool drawsOnOthers = !photons_.empty() && photons_[i] > 0;
+  const bool maySuffice =
+    drawsOnOthers ? exposure >= fewest * photons_[i] : counts.photons >= fewest;
+  if (replicates_ < 2 || !maySuffice)
   {
     return unknown;
   }
+  const double firstRun = counts.isOneRun ? 0 : counts.firstRun;
+  const double photonSquares = drawsOnOthers
+    ? photons_[i] * photons_[i]
+    : firstRun * firstRun + counts.photonSquares + counts.lastRun * counts.lastRun;
   std::vector<double> exposures(replicates_);
   for (std::size_t r = 0; r < replicates_; ++r)
   {
     exposures[r] = exposures_[firstOf(i) + r * bands_];
   }
   const double variance = ErrorEstimate::variance(
-    varianceOfMean(exposures), static_cast<double>(replicates_) * evidence.photonSquares);
-  return evidence.doesSuffice || exposure * exposure >= ErrorEstimate::kFewestPhotons * variance
+    varianceOfMean(exposures), static_cast<double>(replicates_) * photonSquares);
+  const bool doPhotonsSuffice = !drawsOnOthers && counts.photonTime >= fewest * counts.litTime;
+  return doPhotonsSuffice || exposure * exposure >= ErrorEstimate::kFewestPhotons * variance
     ? std::sqrt(variance)
     : unknown;
 }

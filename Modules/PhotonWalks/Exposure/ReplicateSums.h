@@ -2,13 +2,15 @@
 #ifndef irradiance_ReplicateSums_h
 #define irradiance_ReplicateSums_h
 
-#include "Exposure/SharedValues.h"
-
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace irradiance
 {
+
+/// Values that live as long as this does.
+using SharedValues = std::shared_ptr<const double[]>;
 
 /**
  * The exposure that each replicate finds, and what their scatter tells of the error. Photons at
@@ -72,15 +74,6 @@ private:
     void beginRun();
     void append(const Counts& next, bool isShared);
   };
-
-  /// Whether so many photons arrived that an error may be known, and none are needed beyond the
-  /// scatter.
-  struct Evidence
-  {
-    bool maySuffice, doesSuffice;
-    double photonSquares; ///< sum of the squares of what a photon brings, J2/m4
-  };
-  Evidence evidenceOf(std::size_t i, double exposure) const;
 
   std::size_t firstOf(std::size_t i) const
   {

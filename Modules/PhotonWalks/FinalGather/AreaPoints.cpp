@@ -17,7 +17,7 @@ AreaPoints::AreaPoints(const CellShapes& shapes, const SceneTriangles& triangles
   });
 }
 
-AreaPoints::Point AreaPoints::at(std::array<double, 2> u) const
+std::pair<SurfacePoint, TriangleId> AreaPoints::at(std::array<double, 2> u) const
 {
   double before = u[0] * area_;
   auto part = parts_.begin();

@@ -6,6 +6,7 @@
 #include "Surfaces/CellShapes.h"
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace irradiance
@@ -18,13 +19,8 @@ public:
   /// `cell`: of the shapes; it has an area.
   AreaPoints(const CellShapes& shapes, const SceneTriangles& triangles, std::size_t cell);
 
-  struct Point
-  {
-    SurfacePoint place; ///< on the front
-    TriangleId id;
-  };
-  /// `u`: of the unit square.
-  Point at(std::array<double, 2> u) const;
+  /// On the front, with its triangle. `u`: of the unit square.
+  std::pair<SurfacePoint, TriangleId> at(std::array<double, 2> u) const;
 
 private:
   struct Part

@@ -2,10 +2,12 @@
 #ifndef irradiance_CellRoles_h
 #define irradiance_CellRoles_h
 
-#include "Surfaces/SceneCells.h"
+#include "Surfaces/CellShapes.h"
+#include "Walks/WalkSets.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <vector>
 
 namespace irradiance
 {
@@ -58,6 +60,24 @@ private:
   double photons_;          ///< small cells expect fewer
   double walksPerArea_ = 0; ///< 1/m2
 };
+
+/// By number, large static cells that lamps light from nearer than the cell is wide, as those of a
+/// cove do with the ceiling; empty: none. The bright spot is smaller than the cell, and what it
+/// receives on average says little of the point that a ray hits. Such cells are not read. Lamps
+/// that are hard to find make none: to ask them adds more noise than there is bias. Nor do dynamic
+/// cells count: with each that came near a lamp, or left it, all paths would be others. `shapes`:
+/// of the static cells at least.
+std::vector<bool> unevenCells(const CellShapes& shapes, const CellRoles& roles,
+  const WalkSets& walks, const CancelPoint& cancelPoint);
+
+/// By number, the cells whose emission rays count where they meet it, as nobody looks for it (see
+/// FirstHits::dimLights()); empty: none.
+std::vector<bool> foundLamps(const WalkSets& walks, const CellNumbers& cells);
+
+/// The shapes of all cells of a frame. Marked are sides to which no light can come at all, neither
+/// straight from the lights nor from elsewhere: the outer sides of a room; and where direct light
+/// is gathered the inner ones of closed dynamic objects.
+CellShapes darkShapesOf(const WalkSets& walks, const Frame& frame, const CancelPoint& cancelPoint);
 
 }
 

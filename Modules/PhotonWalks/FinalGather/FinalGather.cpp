@@ -2,7 +2,6 @@
 #include "FinalGather/FinalGather.h"
 
 #include "Execution/SlicedPass.h"
-#include "FinalGather/RayRounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,15 +14,24 @@ namespace irradiance
 
 void FinalGather::update(const FinalGatherScene& scene, std::size_t rounds, Execution& execution)
 {
-  indirect_ = CellSums::ofGathered(scene.frame.objects, scene.known.all.plan(), 1);
-  stale_ = CellSums::ofGathered(scene.frame.objects, {}, scene.known.stale ? 1 : 0);
+  indirect_ = CellSums::ofGathered(scene.frame.objects, scene.known.plan(), 1);
+  stale_ = CellSums::ofGathered(scene.frame.objects, {}, scene.knownStale ? 1 : 0);
   noise_ = CellSums::ofGathered(scene.frame.objects, {}, scene.tellsNoise ? 1 : 0);
   followed_ = read_ = 0;
-  findGatherers(scene);
+  gatherers_.clear();
+  scene.frame.cells.numbers().forEach([&](const SceneCell& cell) {
+    if (scene.roles.gathers(cell))
+    {
+      gatherers_.push_back(cell);
+    }
+  });
   Ranks& ranks = execution.ranks();
-  Origin origin = originOf(scene, ranks);
-  const std::optional<FinalGatherMotion> motion = motionTo(scene, origin);
+  const DealtBlocks dealt(ranks.rank(), ranks.count());
+  PathsOrigin origin(scene, gatherers_);
+  const std::optional<FinalGatherMotion> motion =
+    origin_ && dealt == dealt_ ? FinalGatherMotion::since(*origin_, scene, origin) : std::nullopt;
   origin_.reset(); // until the end is reached
+  dealt_ = dealt;
   const std::size_t together = startsTogether(scene);
   const std::size_t units = (gatherers_.size() + together - 1) / together;
   if (!motion)
@@ -35,17 +43,14 @@ void FinalGather::update(const FinalGatherScene& scene, std::size_t rounds, Exec
   Rounds followed;
   for (std::size_t round = 0; round < keptRounds_; ++round)
   {
-    followed.push_back(RayRounds::inRound(scene, round));
+    followed.push_back(scene.inRound(round));
   }
-  SlicedPass pass{ units, {} };
-  pass.work = [&](std::size_t unit, const Deadline&) {
-    if (unit % ranks.count() == ranks.rank())
+  forEachSliced(units, execution, [&](std::size_t unit) {
+    if (dealt_.contains(unit))
     {
       gather(followed, rounds, motion ? &*motion : nullptr, unit);
     }
-    return true;
-  };
-  pass.run(execution);
+  });
   segments_ = read_;
   if (ranks.areSeveral())
   {
@@ -81,7 +86,7 @@ void FinalGather::dropRounds(std::size_t kept)
 std::size_t FinalGather::bytes() const
 {
   std::size_t bytes =
-    indirect_.bytes() + stale_.bytes() + noise_.bytes() + gatherers_.capacity() * sizeof(Gatherer);
+    indirect_.bytes() + stale_.bytes() + noise_.bytes() + gatherers_.capacity() * sizeof(SceneCell);
   for (const Unit& unit : units_)
   {
     bytes += unit.sides.capacity() * sizeof(Side) + unit.rounds.size() * sizeof(FollowedPaths);
@@ -89,36 +94,6 @@ std::size_t FinalGather::bytes() const
       [](std::size_t sum, const FollowedPaths& paths) { return sum + paths.bytes(); });
   }
   return bytes;
-}
-
-void FinalGather::findGatherers(const FinalGatherScene& scene)
-{
-  gatherers_.clear();
-  const CellNumbers& numbers = scene.frame.cells.numbers();
-  numbers.forEach([&](const SceneCell& cell) {
-    if (scene.roles.gathers(cell))
-    {
-      gatherers_.push_back({ cell, numbers[cell] });
-    }
-  });
-}
-
-FinalGather::Origin FinalGather::originOf(const FinalGatherScene& scene, const Ranks& ranks) const
-{
-  Origin origin{ pathsOriginOf(scene), ranks.rank(), ranks.count(), {} };
-  for (const Gatherer& gatherer : gatherers_)
-  {
-    origin.gatherers.push_back(gatherer.cell);
-  }
-  return origin;
-}
-
-std::optional<FinalGatherMotion> FinalGather::motionTo(
-  const FinalGatherScene& scene, const Origin& origin) const
-{
-  const bool isSame = origin_ && origin.rank == origin_->rank && origin.ranks == origin_->ranks &&
-    origin.gatherers == origin_->gatherers;
-  return isSame ? motionSince(scene, origin.paths, origin_->paths) : std::nullopt;
 }
 
 std::vector<FinalGather::Side> FinalGather::sidesOf(
@@ -129,12 +104,12 @@ std::vector<FinalGather::Side> FinalGather::sidesOf(
   std::vector<Side> sides;
   for (std::size_t i = unit * together; i < end; ++i)
   {
-    const CellShape& shape = scene.shapes[gatherers_[i].shape];
+    const CellShape& shape = scene.shapes[scene.frame.cells.numbers()[gatherers_[i]]];
     for (const int side : { 0, 1 })
     {
       if (!(side == 0 ? shape.isFrontDark : shape.isBackDark))
       {
-        sides.push_back({ i, side, scene.roles.timesOf(gatherers_[i].cell) });
+        sides.push_back({ i, side, scene.roles.timesOf(gatherers_[i]) });
       }
     }
   }
@@ -161,12 +136,11 @@ void FinalGather::gather(
       follow(rounds[round], round < kept ? motion : nullptr, unit.sides, unit.rounds[round]);
     }
   }
-  std::vector<PathSums> brought(read);
+  std::vector<PathSums> brought;
   for (std::size_t round = 0; round < read; ++round)
   {
-    const FollowedPaths& paths = unit.rounds[round];
-    brought[round].read(rounds[round], paths, paths.size() / rounds[round].rays);
-    read_ += static_cast<std::int64_t>(paths.numberOfSegments());
+    brought.emplace_back(rounds[round], unit.rounds[round]);
+    read_ += static_cast<std::int64_t>(unit.rounds[round].numberOfSegments());
   }
   std::size_t start = 0;
   for (const Side& side : unit.sides)
@@ -183,39 +157,40 @@ void FinalGather::gather(
 void FinalGather::follow(const FinalGatherScene& scene, const FinalGatherMotion* motion,
   const std::vector<Side>& sides, FollowedPaths& paths)
 {
-  std::unique_ptr<FinalGatherPaths> following = paths_.take();
-  following->begin(scene);
   std::vector<std::size_t> from;
   std::vector<std::uint32_t> rays;
-  for (const Side& side : sides)
-  {
-    const Gatherer& gatherer = gatherers_[side.gatherer];
-    rays.clear();
-    for (std::uint32_t ray = 0; ray < side.starts * scene.rays; ++ray)
+  FollowedPaths anew = FinalGatherPaths::follow(paths_, scene, [&](FinalGatherPaths& following) {
+    for (const Side& side : sides)
     {
-      const bool isAnew =
-        !motion || motion->hasMoved(gatherer.cell.object) || motion->mayChange(paths[from.size()]);
-      from.push_back(isAnew ? FollowedPaths::kAnew : from.size());
-      if (isAnew)
+      const SceneCell& cell = gatherers_[side.gatherer];
+      rays.clear();
+      for (std::uint32_t ray = 0; ray < side.starts * scene.rays; ++ray)
       {
-        rays.push_back(scene.firstRay(side.starts) + ray);
+        const bool isAnew =
+          !motion || motion->hasMoved(cell.object) || motion->mayChange(paths[from.size()]);
+        from.push_back(isAnew ? FollowedPaths::kAnew : from.size());
+        if (isAnew)
+        {
+          rays.push_back(scene.firstRay(side.starts) + ray);
+        }
+      }
+      if (!rays.empty())
+      {
+        // By the place among sides that gather. The number of its cell would not do: absent cells
+        // have numbers in a frame that follows others, and none in a fresh one.
+        const std::uint64_t number = 2 * side.gatherer + static_cast<std::uint64_t>(side.side);
+        following.addSide(scene, scene.frame.cells.numbers()[cell], side.side == 0, number, rays);
       }
     }
-    if (!rays.empty())
-    {
-      following->addSide(scene, gatherer.shape, side.side == 0, numberOf(side), rays);
-    }
-  }
-  following->run(scene);
-  followed_ += static_cast<std::int64_t>(following->followed().size());
-  paths = motion ? following->followed().mergedWith(paths, from) : following->takeFollowed();
-  paths_.giveBack(std::move(following));
+  });
+  followed_ += static_cast<std::int64_t>(anew.size());
+  paths = motion ? anew.mergedWith(paths, from) : std::move(anew);
 }
 
 void FinalGather::store(const FinalGatherScene& scene, const std::vector<PathSums>& brought,
   std::size_t start, const Side& side)
 {
-  const CellSide cell{ gatherers_[side.gatherer].cell, side.side };
+  const CellSide cell{ gatherers_[side.gatherer], side.side };
   const double areaOfStart = scene.frame.cells.area(cell) / side.starts;
   const auto sumOf = [&](const auto& found) {
     Bands all{};
@@ -226,7 +201,7 @@ void FinalGather::store(const FinalGatherScene& scene, const std::vector<PathSum
       {
         sum += found(brought[round], i);
       }
-      all += RayRounds::share(round, brought.size()) * sum;
+      all += shareOfRound(round, brought.size()) * sum;
     }
     return areaOfStart * all;
   };
@@ -235,7 +210,7 @@ void FinalGather::store(const FinalGatherScene& scene, const std::vector<PathSum
     indirect_.setGathered(
       cell, k, sumOf([&](const PathSums& sums, std::size_t i) { return sums.found(i, k); }));
   }
-  if (scene.known.stale)
+  if (scene.knownStale)
   {
     stale_.setGathered(
       cell, 0, sumOf([&](const PathSums& sums, std::size_t i) { return sums.stale(i); }));
@@ -246,7 +221,7 @@ void FinalGather::store(const FinalGatherScene& scene, const std::vector<PathSum
 void FinalGather::storeNoise(const FinalGatherScene& scene, const std::vector<PathSums>& brought,
   std::size_t start, const Side& side)
 {
-  const CellSide cell{ gatherers_[side.gatherer].cell, side.side };
+  const CellSide cell{ gatherers_[side.gatherer], side.side };
   const double areaOfStart = scene.frame.cells.area(cell) / side.starts;
   const std::size_t last = brought.size() - 1;
   const std::uint32_t rays = scene.raysOfReplicate(), halves = rays / 2 * 2;
@@ -258,7 +233,7 @@ void FinalGather::storeNoise(const FinalGatherScene& scene, const std::vector<Pa
     {
       for (std::size_t round = 0; last > 0 && round <= last; ++round)
       {
-        const double share = RayRounds::share(round, brought.size());
+        const double share = shareOfRound(round, brought.size());
         difference += (round < last ? share : -share) * brought[round].found(at, k);
       }
       difference += last == 0 ? brought[0].difference(at, k) : Bands{};

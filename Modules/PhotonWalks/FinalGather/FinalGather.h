@@ -3,10 +3,10 @@
 #define irradiance_FinalGather_h
 
 #include "Execution/Execution.h"
-#include "Execution/Pool.h"
+#include "FinalGather/FinalGatherMotion.h"
 #include "FinalGather/FinalGatherPaths.h"
 #include "FinalGather/PathSums.h"
-#include "FinalGather/PathsOrigin.h"
+#include "Sampling/WalkPlan.h"
 
 #include <atomic>
 #include <cstdint>
@@ -27,9 +27,9 @@ namespace irradiance
 class FinalGather
 {
 public:
-  /// To a frame, by the first `rounds` rounds of rays, see RayRounds; paths of further ones are
-  /// kept. `scene`: with the rays of the first. Throws Interrupted, and what
-  /// FinalGatherPaths::run() throws; after that nothing is kept.
+  /// To a frame, by the first `rounds` rounds of rays, see FinalGatherScene::inRound(); paths of
+  /// further ones are kept. `scene`: with the rays of the first. Throws Interrupted, and what
+  /// FinalGatherPaths::follow() throws; after that nothing is kept.
   void update(const FinalGatherScene& scene, std::size_t rounds, Execution& execution);
   /// Forgets the paths of all but the first rounds.
   void dropRounds(std::size_t kept);
@@ -49,12 +49,6 @@ public:
   std::int64_t segments() const { return segments_; }
 
 private:
-  struct Gatherer
-  {
-    SceneCell cell;
-    std::size_t shape;
-  };
-
   struct Side
   {
     std::size_t gatherer;
@@ -76,19 +70,6 @@ private:
   };
   using Rounds = std::vector<FinalGatherScene>; ///< the scene, with the rays of each round
 
-  /// What paths depend on besides poses.
-  struct Origin
-  {
-    PathsOrigin paths;
-    std::size_t rank, ranks; ///< which follows them
-    std::vector<SceneCell> gatherers;
-  };
-
-  void findGatherers(const FinalGatherScene& scene);
-  Origin originOf(const FinalGatherScene& scene, const Ranks& ranks) const;
-  /// What moved since; nothing if no path can be kept.
-  std::optional<FinalGatherMotion> motionTo(
-    const FinalGatherScene& scene, const Origin& origin) const;
   std::vector<Side> sidesOf(const FinalGatherScene& scene, std::size_t unit) const;
   /// Of a unit: follows all `rounds`, and reads the first so many.
   void gather(
@@ -96,12 +77,6 @@ private:
   /// Follows again the paths of a round that may have changed, all if nothing is kept.
   void follow(const FinalGatherScene& scene, const FinalGatherMotion* motion,
     const std::vector<Side>& sides, FollowedPaths& paths);
-  /// By the place among sides that gather. The number of its cell would not do: absent cells have
-  /// numbers in a frame that follows others, and none in a fresh one.
-  static std::uint64_t numberOf(const Side& side)
-  {
-    return 2 * side.gatherer + static_cast<std::uint64_t>(side.side);
-  }
   /// `brought`: by round. `start`: the first of the side's.
   void store(const FinalGatherScene& scene, const std::vector<PathSums>& brought, std::size_t start,
     const Side& side);
@@ -109,10 +84,11 @@ private:
   void storeNoise(const FinalGatherScene& scene, const std::vector<PathSums>& brought,
     std::size_t start, const Side& side);
 
-  std::vector<Gatherer> gatherers_;
+  std::vector<SceneCell> gatherers_;
   std::vector<Unit> units_;
+  DealtBlocks dealt_; ///< the units of this rank
   std::size_t keptRounds_ = 0;
-  std::optional<Origin> origin_;                        ///< of the paths that are kept
+  std::optional<PathsOrigin> origin_;                   ///< of the paths that are kept
   Pool<FinalGatherPaths> paths_;                        ///< what threads work with
   std::atomic<std::int64_t> followed_{ 0 }, read_{ 0 }; ///< of this rank: paths, segments
   std::int64_t segments_ = 0;

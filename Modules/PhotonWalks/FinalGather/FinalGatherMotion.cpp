@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FinalGather/FinalGatherMotion.h"
 
+#include "Repair/SceneChange.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,6 +25,38 @@ Eigen::AlignedBox3f floatBoxAround(const Box& box)
   return around;
 }
 
+}
+
+PathsOrigin::PathsOrigin(const FinalGatherScene& scene, const std::vector<SceneCell>& starts)
+  : objects(scene.frame.objects)
+  , seed(scene.seed)
+  , rays(scene.rays)
+  , replicates(scene.replicates())
+  , startCells(starts)
+{
+  scene.frame.cells.numbers().forEach([&](const SceneCell& cell) {
+    if (scene.isRead(cell))
+    {
+      readCells.push_back(cell);
+    }
+  });
+  for (const PointDirectLight& asked : scene.lights)
+  {
+    lights.push_back(asked.lights().lights());
+  }
+}
+
+std::optional<FinalGatherMotion> FinalGatherMotion::since(
+  const PathsOrigin& before, const FinalGatherScene& scene, const PathsOrigin& now)
+{
+  if (now.seed != before.seed || now.rays != before.rays || now.replicates != before.replicates ||
+    now.startCells != before.startCells || now.readCells != before.readCells ||
+    hasReplaced(now.objects, before.objects) || !differsOnlyByMotion(now.objects, before.objects) ||
+    !areLightsUnchanged(now.objects, before.objects) || !(now.lights == before.lights))
+  {
+    return {};
+  }
+  return FinalGatherMotion(scene, findMoved(now.objects, before.objects));
 }
 
 FinalGatherMotion::FinalGatherMotion(const FinalGatherScene& scene, const std::vector<bool>& moved)
@@ -62,7 +96,7 @@ bool FinalGatherMotion::mayChange(const PathSegment& segment) const
   }
   const Vector3 to = Eigen::Vector3f(segment.to.data()).cast<double>();
   return mayMeet(segment.from,
-    segment.triangle != PathSegment::kNone
+    segment.triangle != SceneTriangles::kNone
       ? to
       : Vector3(Eigen::Vector3f(segment.from.data()).cast<double>() + reach_ * to));
 }
@@ -72,7 +106,7 @@ bool FinalGatherMotion::mayChange(const ShadowRay& ray) const
 {
   return isAny_ &&
     (ray.touchesMover || isMoved(ray.triangle) ||
-      (ray.triangle == ShadowRay::kNone &&
+      (ray.triangle == SceneTriangles::kNone &&
         mayMeet(ray.from, Eigen::Vector3f(ray.to.data()).cast<double>())));
 }
 

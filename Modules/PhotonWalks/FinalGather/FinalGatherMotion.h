@@ -2,15 +2,28 @@
 #ifndef irradiance_FinalGatherMotion_h
 #define irradiance_FinalGatherMotion_h
 
-#include "DirectLight/ShadowRay.h"
 #include "FinalGather/FinalGatherScene.h"
 #include "FinalGather/FollowedPaths.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace irradiance
 {
+
+/// What the paths of a final gather depend on besides poses.
+struct PathsOrigin
+{
+  /// Of paths from single points, or from cells that gather.
+  explicit PathsOrigin(const FinalGatherScene& scene, const std::vector<SceneCell>& starts = {});
+
+  SceneObjects objects;
+  std::uint64_t seed;
+  std::uint32_t rays, replicates;
+  std::vector<SceneCell> startCells, readCells;
+  std::vector<std::vector<Light>> lights; ///< in the groups that are asked
+};
 
 /// What moved since paths were followed, and which of their segments it may change.
 class FinalGatherMotion
@@ -19,6 +32,9 @@ public:
   /// `moved`: of the dynamic objects of the frame, those with another pose, or other points, than
   /// when the paths were followed.
   FinalGatherMotion(const FinalGatherScene& scene, const std::vector<bool>& moved);
+  /// Nothing if another thing changed, so that no path can be kept. `now`: of the scene.
+  static std::optional<FinalGatherMotion> since(
+    const PathsOrigin& before, const FinalGatherScene& scene, const PathsOrigin& now);
 
   bool isNone() const { return !isAny_; }
   bool hasMoved(std::uint32_t object) const { return object > 0 && moved_[object - 1]; }
@@ -42,7 +58,7 @@ private:
   /// Of its number; no triangle has not moved.
   bool isMoved(std::uint32_t triangle) const
   {
-    return triangle != PathSegment::kNone && triangle >= firstDynamic_ &&
+    return triangle != SceneTriangles::kNone && triangle >= firstDynamic_ &&
       hasMoved_[triangle - firstDynamic_] != 0;
   }
   /// Whether something that moved may be between two places.

@@ -4,7 +4,7 @@
 #include "FinalGather/AreaPoints.h"
 #include "Sampling/DirectionSampling.h"
 #include "Sampling/SobolPoint.h"
-#include "Shooting/WalkSampler.h"
+#include "Shooting/WalkStages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,6 +36,13 @@ SampleKeys keysOf(std::uint64_t seed, std::uint32_t bounce, Use use)
 {
   return SampleKeys(
     splitMix(seed ^ splitMix(std::uint64_t{ bounce } << 8 | static_cast<std::uint64_t>(use))));
+}
+
+/// Of a ray of a start.
+std::array<double, 2> sampleOf(
+  std::uint64_t seed, std::uint32_t number, std::uint32_t bounce, Use use)
+{
+  return SobolPoint::inUnitSquare(number, keysOf(seed, bounce, use));
 }
 
 /// What rounding does to rays is bounded for those that start near the scene: one that comes from
@@ -75,7 +82,7 @@ double reflectedPart(const Bands& weight, const double* reflectances, int bands)
 
 void FinalGatherPaths::begin(const FinalGatherScene& scene)
 {
-  bands_ = scene.known.all.bands();
+  bands_ = scene.known.bands();
   bounce_ = 0;
   numberOfPaths_ = 0;
   paths_.clear();
@@ -92,12 +99,14 @@ void FinalGatherPaths::addSide(const FinalGatherScene& scene, std::size_t cell, 
   const SampleKeys places = keysOf(seed, 0, Use::Position),
                    directions = keysOf(seed, 0, Use::Direction);
   const AreaPoints points(scene.shapes, scene.frame.triangles, cell);
-  addStart(scene, seed, rays, [&](std::uint32_t i) {
+  for (const std::uint32_t i : rays)
+  {
     auto [point, id] = points.at(SobolPoint::inUnitSquare(i, places));
     point.turn(isFront);
-    return Ray{ point.clearPosition(),
-      sampleHemisphere(point.normal, SobolPoint::inUnitSquare(i, directions)), id };
-  });
+    rays_.push_back({ point.clearPosition(),
+      sampleHemisphere(point.normal, SobolPoint::inUnitSquare(i, directions)), id });
+    paths_.push_back(startOf(scene, seed, i));
+  }
 }
 
 void FinalGatherPaths::addPoint(const FinalGatherScene& scene, const LitPoint& point,
@@ -105,13 +114,15 @@ void FinalGatherPaths::addPoint(const FinalGatherScene& scene, const LitPoint& p
 {
   const std::uint64_t seed = seedOf(scene, number);
   const SampleKeys directions = keysOf(seed, 0, Use::Direction);
-  addStart(scene, seed, rays, [&](std::uint32_t i) {
+  for (const std::uint32_t i : rays)
+  {
     const std::array<double, 2> u = SobolPoint::inUnitSquare(i, directions);
     const Vector3 direction =
       point.hasNormal() ? sampleHemisphere(point.normal, u) : sampleSphere(u);
-    return Ray{ nearestOrigin(scene.frame.scene.bounds(), point.position, direction), direction,
-      point.on };
-  });
+    rays_.push_back({ nearestOrigin(scene.frame.scene.bounds(), point.position, direction),
+      direction, point.on });
+    paths_.push_back(startOf(scene, seed, i));
+  }
 }
 
 void FinalGatherPaths::addSpecular(
@@ -130,10 +141,10 @@ void FinalGatherPaths::addSpecular(
     const PhongLobe& lobe = material.lobeOf(material.cellOfTriangle[id.triangle]);
     if (lobe.isMirror() ? !eye.isZero(0) : eye.dot(place.normal) > 0)
     {
-      const PathVertex vertex{ place, id, -eye };
+      const PathVertex vertex{ { place.clearPosition(), place.normal, id }, -eye };
       if (!lobe.isMirror())
       {
-        recordStart(scene, path, vertex, lobe);
+        recordStart(scene, path, place.position, vertex, lobe);
       }
       goOnSpecularly(scene, path, vertex, lobe, paths_, rays_);
     }
@@ -148,18 +159,7 @@ FinalGatherPaths::Path FinalGatherPaths::startOf(
   return path;
 }
 
-template <class RayOf>
-void FinalGatherPaths::addStart(const FinalGatherScene& scene, std::uint64_t seed,
-  const std::vector<std::uint32_t>& rays, const RayOf& rayOf)
-{
-  for (const std::uint32_t i : rays)
-  {
-    rays_.push_back(rayOf(i));
-    paths_.push_back(startOf(scene, seed, i));
-  }
-}
-
-void FinalGatherPaths::run(const FinalGatherScene& scene)
+FollowedPaths FinalGatherPaths::run(const FinalGatherScene& scene)
 {
   while (!paths_.empty())
   {
@@ -181,16 +181,21 @@ void FinalGatherPaths::run(const FinalGatherScene& scene)
       }
       else
       {
-        recordMiss(scene, paths_[i], rays_[i]);
+        PathSegment segment{};
+        segment.from = inFloats(rays_[i].origin);
+        segment.to = inFloats(rays_[i].direction);
+        segment.triangle = SceneTriangles::kNone;
+        segment.touchesMover = scene.frame.contacts.hasDynamic(rays_[i].start);
+        addStep(paths_[i], segment);
       }
     }
     paths_.swap(next_);
     rays_.swap(nextRays_);
   }
-  sortSteps();
+  return sorted();
 }
 
-void FinalGatherPaths::sortSteps()
+FollowedPaths FinalGatherPaths::sorted()
 {
   std::vector<std::uint32_t> ends(numberOfPaths_ + 1), order(steps_.size());
   for (const Step& step : steps_)
@@ -198,33 +203,25 @@ void FinalGatherPaths::sortSteps()
     ++ends[step.path + 1];
   }
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  std::vector<std::uint32_t> next(ends.begin(), ends.end() - 1);
+  std::vector<std::uint32_t> places(ends.begin(), ends.end() - 1);
   for (std::uint32_t i = 0; i < steps_.size(); ++i)
   {
-    order[next[steps_[i].path]++] = i;
+    order[places[steps_[i].path]++] = i;
   }
-  followed_.clear();
-  followed_.reserve(numberOfPaths_, steps_.size(), values_.size());
+  FollowedPaths followed;
+  followed.reserve(numberOfPaths_, steps_.size(), values_.size());
+  steps_.push_back({ numberOfPaths_, {}, values_.size(), shadows_.size() }); // where the last ends
   for (std::uint32_t path = 0; path < numberOfPaths_; ++path)
   {
     for (std::uint32_t i = ends[path]; i < ends[path + 1]; ++i)
     {
-      const std::uint32_t step = order[i];
-      followed_.addSegment(steps_[step].segment);
-      const bool isLast = step + 1 == steps_.size();
-      const std::size_t end = isLast ? values_.size() : steps_[step + 1].value;
-      for (std::size_t value = steps_[step].value; value < end; ++value)
-      {
-        followed_.addValue(values_[value]);
-      }
-      const std::size_t endOfShadows = isLast ? shadows_.size() : steps_[step + 1].shadow;
-      for (std::size_t shadow = steps_[step].shadow; shadow < endOfShadows; ++shadow)
-      {
-        followed_.addShadow(shadows_[shadow]);
-      }
+      const Step &step = steps_[order[i]], &next = steps_[order[i] + 1];
+      followed.addSegment(step.segment, values_.data() + step.value, values_.data() + next.value,
+        shadows_.data() + step.shadow, shadows_.data() + next.shadow);
     }
-    followed_.endPath();
+    followed.endPath();
   }
+  return followed;
 }
 
 void FinalGatherPaths::cast(const FinalGatherScene& scene)
@@ -251,14 +248,13 @@ FinalGatherPaths::Arrival FinalGatherPaths::arrivalOf(
   const int side = normal.dot(ray.direction) < 0 ? 0 : 1;
   const bool asksLobe =
     scene.asksOnLobes && material.isSpecular(cell) && !material.lobeOf(cell).isMirror();
-  Arrival arrival{ { { hit.id.object, cell }, side }, 0, false, false,
+  Arrival arrival{ { { hit.id.object, cell }, side }, false, false,
     asksLobe ? &material.lobeOf(cell) : nullptr, hit };
-  arrival.area = scene.frame.cells.area(arrival.side);
   const bool isLarge = scene.roles.isRead(arrival.side),
              isRead = isLarge && scene.isRead(arrival.side);
-  const bool isNear = hit.distance * hit.distance < arrival.area;
+  const bool isNear = hit.distance * hit.distance < scene.frame.cells.area(arrival.side);
   arrival.isKnown = isRead && !isNear;
-  arrival.isUnknown = isLarge ? isNear || !isRead : !scene.known.direct;
+  arrival.isUnknown = isLarge ? isNear || !isRead : !scene.knownDirect;
   return arrival;
 }
 
@@ -266,7 +262,8 @@ PathVertex FinalGatherPaths::vertexOf(
   const FinalGatherScene& scene, const Ray& ray, const Arrival& arrival)
 {
   const SurfacePoint place = scene.frame.scene.surfaceOf(arrival.hit, arrival.isFront());
-  return { place, arrival.hit.id, incomingDirection(place, ray.origin) };
+  return { { place.clearPosition(), place.normal, arrival.hit.id },
+    incomingDirection(place, ray.origin) };
 }
 
 void FinalGatherPaths::record(
@@ -293,12 +290,12 @@ void FinalGatherPaths::record(
   }
 }
 
-void FinalGatherPaths::recordStart(
-  const FinalGatherScene& scene, const Path& path, const PathVertex& from, const PhongLobe& lobe)
+void FinalGatherPaths::recordStart(const FinalGatherScene& scene, const Path& path,
+  const Vector3& place, const PathVertex& from, const PhongLobe& lobe)
 {
   PathSegment segment{};
-  segment.from = segment.to = inFloats(from.place.position);
-  segment.triangle = scene.frame.triangles.numberOf(from.id);
+  segment.from = segment.to = inFloats(place);
+  segment.triangle = scene.frame.triangles.numberOf(from.point.on);
   segment.asksLights = true;
   addStep(path, segment);
   const Bands light = lobeLight(scene, from, lobe, path.seed, path.number);
@@ -309,36 +306,25 @@ void FinalGatherPaths::recordStart(
 void FinalGatherPaths::addStep(const Path& path, const PathSegment& segment)
 {
   steps_.push_back({ path.place, segment, values_.size(), shadows_.size() });
-  if (bands_ > 1 && segment.triangle != PathSegment::kNone)
+  if (bands_ > 1 && segment.triangle != SceneTriangles::kNone)
   {
     values_.insert(values_.end(), path.weight.begin(), path.weight.begin() + bands_);
   }
 }
 
-void FinalGatherPaths::recordMiss(const FinalGatherScene& scene, const Path& path, const Ray& ray)
-{
-  PathSegment segment{};
-  segment.from = inFloats(ray.origin);
-  segment.to = inFloats(ray.direction);
-  segment.triangle = PathSegment::kNone;
-  segment.touchesMover = scene.frame.contacts.hasDynamic(ray.start);
-  addStep(path, segment);
-}
-
 void FinalGatherPaths::askLights(
   const FinalGatherScene& scene, const Path& path, const PathVertex& at, const Arrival& arrival)
 {
-  const Material& material = *scene.frame.objects[at.id.object].material;
+  const Material& material = *scene.frame.objects[at.point.on.object].material;
   const std::uint64_t number =
     splitMix(path.seed ^ splitMix(std::uint64_t{ bounce_ } << 32 | path.number));
-  const LitPoint point{ at.place.clearPosition(), at.place.normal, at.id };
   const bool asksDiffuse = arrival.isUnknown && material.reflectsDiffusely(arrival.side.cell);
   Bands arriving{}, onLobe{};
   for (const PointDirectLight& lights : scene.lights)
   {
     if (asksDiffuse)
     {
-      arriving += lights.irradiance(point, number, scene.keepsPaths ? &shadows_ : nullptr);
+      arriving += lights.irradiance(at.point, number, scene.keepsPaths ? &shadows_ : nullptr);
     }
   }
   if (arrival.lobe)
@@ -348,10 +334,10 @@ void FinalGatherPaths::askLights(
   for (int band = 0; band < bands_; ++band)
   {
     const auto i = static_cast<std::size_t>(band);
-    double reflected = material.reflectanceOf(at.id.triangle, band) * arriving[i];
+    double reflected = material.reflectanceOf(at.point.on.triangle, band) * arriving[i];
     if (arrival.lobe)
     {
-      reflected += material.specularOf(at.id.triangle, band) * onLobe[i];
+      reflected += material.specularOf(at.point.on.triangle, band) * onLobe[i];
     }
     values_.push_back(path.weight[i] * reflected);
   }
@@ -375,10 +361,7 @@ void FinalGatherPaths::goOn(
   const double scale = std::max(1.0, survival.total()); // of several bands, see Absorption.h
   survival.diffuse /= scale;
   survival.specular /= scale;
-  const auto sample = [&](Use use) {
-    return SobolPoint::inUnitSquare(path.number, keysOf(path.seed, bounce_, use));
-  };
-  const double chance = sample(Use::Survival)[0];
+  const double chance = sampleOf(path.seed, path.number, bounce_, Use::Survival)[0];
   if (!(chance < survival.total()))
   {
     return;
@@ -402,8 +385,10 @@ void FinalGatherPaths::goOn(
     goOnSpecularly(scene, next, vertex, material.lobeOf(cell), next_, nextRays_);
     return;
   }
-  nextRays_.push_back({ vertex.place.clearPosition(),
-    sampleHemisphere(vertex.place.normal, sample(Use::Direction)), vertex.id });
+  nextRays_.push_back({ vertex.point.position,
+    sampleHemisphere(
+      vertex.point.normal, sampleOf(path.seed, path.number, bounce_, Use::Direction)),
+    vertex.point.on });
   next_.push_back(next);
 }
 
@@ -411,10 +396,8 @@ void FinalGatherPaths::goOnSpecularly(const FinalGatherScene& scene, Path path,
   const PathVertex& from, const PhongLobe& lobe, std::vector<Path>& paths,
   std::vector<Ray>& rays) const
 {
-  const auto sample = [&](Use use) {
-    return SobolPoint::inUnitSquare(path.number, keysOf(path.seed, bounce_, use));
-  };
-  const Vector3& normal = from.place.normal;
+  const Vector3& normal = from.point.normal;
+  const auto sample = [&](Use use) { return sampleOf(path.seed, path.number, bounce_, use); };
   const Vector3 direction = lobe.sample(normal, from.incoming,
     { sample(Use::Direction), sample(Use::Acceptance)[0], sample(Use::Compensation) });
   path.isSpecular = true;
@@ -422,7 +405,7 @@ void FinalGatherPaths::goOnSpecularly(const FinalGatherScene& scene, Path path,
     ? lobe.value(normal, direction, -from.incoming) * direction.dot(normal)
     : kInfinity;
   paths.push_back(path);
-  rays.push_back({ from.place.clearPosition(), direction, from.id });
+  rays.push_back({ from.point.position, direction, from.point.on });
 }
 
 }

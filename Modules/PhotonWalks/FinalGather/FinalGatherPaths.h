@@ -2,6 +2,7 @@
 #ifndef irradiance_FinalGatherPaths_h
 #define irradiance_FinalGatherPaths_h
 
+#include "Execution/Pool.h"
 #include "FinalGather/FinalGatherScene.h"
 #include "FinalGather/FollowedPaths.h"
 #include "FinalGather/LobeLight.h"
@@ -9,6 +10,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -28,8 +30,19 @@ namespace irradiance
 class FinalGatherPaths
 {
 public:
-  /// Forgets all sides and points.
-  void begin(const FinalGatherScene& scene);
+  /// Follows all paths that addStarts(FinalGatherPaths) adds to their ends, in the order in which
+  /// they were added. Throws std::runtime_error for one that does not end.
+  template <class AddStarts>
+  static FollowedPaths follow(
+    Pool<FinalGatherPaths>& pool, const FinalGatherScene& scene, const AddStarts& addStarts)
+  {
+    std::unique_ptr<FinalGatherPaths> paths = pool.take();
+    paths->begin(scene);
+    addStarts(*paths);
+    FollowedPaths followed = paths->run(scene);
+    pool.giveBack(std::move(paths));
+    return followed;
+  }
   /// Adds the paths of some rays of a side. `cell`: of the shapes. `number`: chooses its samples.
   /// `rays`: by number; each scene.rays of them are a start.
   void addSide(const FinalGatherScene& scene, std::size_t cell, bool isFront, std::uint64_t number,
@@ -44,12 +57,6 @@ public:
   using ToEye = std::function<Vector3(const Vector3& point)>;
   void addSpecular(
     const FinalGatherScene& scene, std::size_t cell, std::uint64_t number, const ToEye& toEye);
-  /// Follows all paths to their ends. Throws std::runtime_error for one that does not end.
-  void run(const FinalGatherScene& scene);
-
-  /// In the order in which they were added.
-  const FollowedPaths& followed() const { return followed_; }
-  FollowedPaths takeFollowed() { return std::exchange(followed_, {}); }
 
 private:
   struct Path
@@ -75,7 +82,6 @@ private:
   struct Arrival
   {
     CellSide side;
-    double area;           ///< of the cell, m2
     bool isKnown;          ///< what the side received is read
     bool isUnknown;        ///< nothing of it is
     const PhongLobe* lobe; ///< along which the lights are asked, or null
@@ -84,25 +90,24 @@ private:
     bool isFront() const { return side.side == 0; }
   };
 
+  /// Forgets all paths.
+  void begin(const FinalGatherScene& scene);
+  FollowedPaths run(const FinalGatherScene& scene);
   Path startOf(const FinalGatherScene& scene, std::uint64_t seed, std::uint32_t ray);
-  /// `rayOf(i)`: the ray of this number.
-  template <class RayOf>
-  void addStart(const FinalGatherScene& scene, std::uint64_t seed,
-    const std::vector<std::uint32_t>& rays, const RayOf& rayOf);
   /// Asks the lights on the lobe of a start.
-  void recordStart(
-    const FinalGatherScene& scene, const Path& path, const PathVertex& from, const PhongLobe& lobe);
+  void recordStart(const FinalGatherScene& scene, const Path& path, const Vector3& place,
+    const PathVertex& from, const PhongLobe& lobe);
   void cast(const FinalGatherScene& scene);
   static Arrival arrivalOf(const FinalGatherScene& scene, const Ray& ray, const Hit& hit);
   static PathVertex vertexOf(const FinalGatherScene& scene, const Ray& ray, const Arrival& arrival);
   void record(
     const FinalGatherScene& scene, const Path& path, const Ray& ray, const Arrival& arrival);
-  void recordMiss(const FinalGatherScene& scene, const Path& path, const Ray& ray);
   /// Appends the numbers with which each step begins.
   void addStep(const Path& path, const PathSegment& segment);
   void askLights(
     const FinalGatherScene& scene, const Path& path, const PathVertex& at, const Arrival& arrival);
-  void sortSteps();
+  /// The steps by path, in the order of these.
+  FollowedPaths sorted();
   /// Appends what goes on.
   void goOn(
     const FinalGatherScene& scene, const Path& path, const Ray& ray, const Arrival& arrival);
@@ -118,7 +123,6 @@ private:
   std::vector<Step> steps_; ///< bounce by bounce
   std::vector<double> values_;
   std::vector<ShadowRay> shadows_; ///< if paths are kept
-  FollowedPaths followed_;
 };
 
 }

@@ -4,14 +4,6 @@
 namespace irradiance
 {
 
-void FollowedPaths::clear()
-{
-  segments_.clear();
-  values_.clear();
-  shadows_.clear();
-  ends_.clear();
-}
-
 void FollowedPaths::reserve(std::size_t paths, std::size_t segments, std::size_t values)
 {
   segments_.reserve(segments);

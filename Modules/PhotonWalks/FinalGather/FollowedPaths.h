@@ -2,7 +2,7 @@
 #ifndef irradiance_FollowedPaths_h
 #define irradiance_FollowedPaths_h
 
-#include "DirectLight/ShadowRay.h"
+#include "DirectLight/PointDirectLight.h"
 
 #include <array>
 #include <cstdint>
@@ -15,11 +15,9 @@ namespace irradiance
 /// A segment of a path, from one hit to the next.
 struct PathSegment
 {
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
   std::array<float, 3> from;
   std::array<float, 3> to; ///< where it hits; where it hits nothing, its direction
-  std::uint32_t triangle;  ///< the number of what it hits, or kNone
+  std::uint32_t triangle;  ///< the number of what it hits, or SceneTriangles::kNone
   bool isFront : 1;        ///< which side it hits
   bool isSpecular : 1;     ///< how it left its start
   bool isKnown : 1;        ///< what the side received is read
@@ -56,17 +54,17 @@ public:
     return { segments_.data() + first.segment, segments_.data() + end.segment,
       values_.data() + first.value, shadows_.data() + first.shadow, shadows_.data() + end.shadow };
   }
-  void clear();
   void reserve(std::size_t paths, std::size_t segments, std::size_t values);
-  /// To the path that endPath() ends.
-  void addSegment(const PathSegment& segment) { segments_.push_back(segment); }
-  /// With several bands the weights of each segment; what the lights brought where they were asked;
-  /// the weight of a lamp.
-  void addValue(double value) { values_.push_back(value); }
-  void addShadow(const ShadowRay& ray) { shadows_.push_back(ray); }
+  /// To the path that endPath() ends. `values`: with several bands the weights of the segment; what
+  /// the lights brought where they were asked; the weight of a lamp. `shadows`: of these lights.
+  void addSegment(const PathSegment& segment, const double* values, const double* endOfValues,
+    const ShadowRay* shadows, const ShadowRay* endOfShadows)
+  {
+    segments_.push_back(segment);
+    values_.insert(values_.end(), values, endOfValues);
+    shadows_.insert(shadows_.end(), shadows, endOfShadows);
+  }
   void endPath() { ends_.push_back({ segments_.size(), values_.size(), shadows_.size() }); }
-  /// Adds paths [first, end) of others.
-  void addPaths(const FollowedPaths& from, std::size_t first, std::size_t end);
   /// These, in order, and among them some that were followed before: for each of all, its place
   /// there, or kAnew.
   static constexpr std::size_t kAnew = std::numeric_limits<std::size_t>::max();
@@ -76,6 +74,8 @@ public:
   std::size_t bytes() const;
 
 private:
+  /// Adds paths [first, end) of others.
+  void addPaths(const FollowedPaths& from, std::size_t first, std::size_t end);
   struct End
   {
     std::size_t segment, value, shadow;

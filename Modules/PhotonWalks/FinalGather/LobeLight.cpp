@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FinalGather/LobeLight.h"
 
-#include "Geometry/Pi.h"
-
 #include <algorithm>
 
 namespace irradiance
@@ -23,8 +21,7 @@ double weightBeside(double density, double other)
 Bands lobeLight(const FinalGatherScene& scene, const PathVertex& from, const PhongLobe& lobe,
   std::uint64_t number, std::uint32_t share)
 {
-  const Vector3& normal = from.place.normal;
-  const LitPoint point{ from.place.clearPosition(), normal, from.id };
+  const Vector3& normal = from.point.normal;
   const PointDirectLight::Part part = [&](const Vector3& along, double density) {
     const Vector3 toLight = -along.normalized();
     const double ofLobe = lobe.value(normal, toLight, -from.incoming) * toLight.dot(normal);
@@ -33,7 +30,7 @@ Bands lobeLight(const FinalGatherScene& scene, const PathVertex& from, const Pho
   Bands sum{};
   for (const PointDirectLight& lights : scene.lights)
   {
-    sum += lights.taken(point, part, number, share);
+    sum += lights.taken(from.point, part, number, share);
   }
   return sum;
 }

@@ -10,8 +10,7 @@ namespace irradiance
 /// A point from which light is reflected to where a path comes from.
 struct PathVertex
 {
-  SurfacePoint place; ///< on the side of the path
-  TriangleId id;
+  LitPoint point;   ///< on the side of the path
   Vector3 incoming; ///< unit vector, along the path
 };
 

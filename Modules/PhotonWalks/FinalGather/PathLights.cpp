@@ -10,13 +10,14 @@ namespace irradiance
 {
 
 std::deque<PointDirectLight> lightsOf(const WalkSets& walks, const Frame& frame, std::uint64_t seed,
-  std::uint32_t samples, std::size_t mostWeights)
+  std::uint32_t samples, std::size_t mostWeights, bool gathered)
 {
   std::deque<PointDirectLight> lights;
   for (const WalkSet& set : walks.sets())
   {
+    const bool isAsked = gathered ? set.source().cells.has_value() : !set.source().areFoundByRays;
     // The sets of dynamic cells have the same lights.
-    if (!set.source().isDynamic() && !set.source().areFoundByRays && !set.lights().isEmpty())
+    if (isAsked && !set.source().isDynamic() && !set.lights().isEmpty())
     {
       lights.emplace_back(
         frame, set.source().knownLamps(), seed + lights.size(), samples, mostWeights);
@@ -27,32 +28,33 @@ std::deque<PointDirectLight> lightsOf(const WalkSets& walks, const Frame& frame,
 
 std::optional<UnseenLight> unseenLight(const SceneObjects& objects)
 {
-  std::optional<UnseenLight> light, specular;
-  for (std::uint32_t i = 0; i < objects.size() && !(light && specular); ++i)
+  UnseenLight unseen{};
+  bool hasLight = false, hasSpecular = false;
+  for (std::uint32_t i = 0; i < objects.size() && !(hasLight && hasSpecular); ++i)
   {
     const SceneObject& object = objects[i];
-    if (!light && object.isPresent && object.emits() && !object.emission->points.empty())
+    if (!hasLight && object.isPresent && object.emits() && !object.emission->points.empty())
     {
       const PointSource& point = object.emission->points.front();
-      light = { { i, point.cell }, {}, std::accumulate(point.flux.begin(), point.flux.end(), 0.0),
-        0 };
+      hasLight = true;
+      unseen.light = { i, point.cell };
+      unseen.flux = std::accumulate(point.flux.begin(), point.flux.end(), 0.0);
     }
     const Material& material = *object.material;
-    for (std::size_t cell = 0;
-         !specular && !object.isEmpty() && material.isSpecular() && cell < material.numberOfCells;
-         ++cell)
+    const bool mayReflect = !hasSpecular && !object.isEmpty() && material.isSpecular();
+    for (std::size_t cell = 0; mayReflect && !hasSpecular && cell < material.numberOfCells; ++cell)
     {
       if (material.isSpecular(cell))
       {
         const auto first =
           material.specularReflectance.begin() + static_cast<std::ptrdiff_t>(cell) * material.bands;
-        specular = { {}, { i, cell }, 0, *std::max_element(first, first + material.bands) };
+        hasSpecular = true;
+        unseen.specular = { i, cell };
+        unseen.reflectance = *std::max_element(first, first + material.bands);
       }
     }
   }
-  return light && specular ? std::optional<UnseenLight>({ light->light, specular->specular,
-                               light->flux, specular->reflectance })
-                           : std::nullopt;
+  return hasLight && hasSpecular ? std::optional(unseen) : std::nullopt;
 }
 
 std::string UnseenLight::message(

@@ -16,24 +16,11 @@ namespace irradiance
 /// Of a point that a path hits, see lightsOf(): the path is one of many.
 constexpr std::uint32_t kSamplesOfHit = 4;
 
-/// Calls visit(Light) for each light of each set of walks.
-template <class Visit>
-void forEachLight(const WalkSets& walks, const Visit& visit)
-{
-  for (const WalkSet& set : walks.sets())
-  {
-    for (const Light& light : set.lights().lights())
-    {
-      visit(light);
-    }
-  }
-}
-
-/// All lights but FoundLamps, whether walks start there or cells gather what they send, for points
-/// that ask them by themselves. The arguments must outlive what is returned. `samples`: of each
-/// point, for each group of lights.
+/// All lights but those of foundLamps(), whether walks start there or cells gather what they send,
+/// for points that ask them by themselves; or only those that are `gathered`. The arguments must
+/// outlive what is returned. `samples`: of each point, for each group of lights.
 std::deque<PointDirectLight> lightsOf(const WalkSets& walks, const Frame& frame, std::uint64_t seed,
-  std::uint32_t samples, std::size_t mostWeights = LampChoice::kMost);
+  std::uint32_t samples, std::size_t mostWeights = LampChoice::kMost, bool gathered = false);
 
 /// A point light that specular cells reflect. A path meets no point, and the sums of walks do not
 /// tell what came by way of which reflection: so no final gather knows that light.

@@ -17,17 +17,86 @@ double signOf(std::uint32_t path, std::uint32_t paths)
 
 SceneCell cellOf(const FinalGatherScene& scene, const PathSegment& segment)
 {
-  return scene.known.all.cellOf(scene.frame.triangles.idOf(segment.triangle));
+  return scene.known.cellOf(scene.frame.triangles.idOf(segment.triangle));
 }
 
-}
-
-void PathSums::read(const FinalGatherScene& scene, const FollowedPaths& paths, std::size_t starts)
+/// Whether what a cell emits counts where a path hits it.
+bool isMetLamp(const FinalGatherScene& scene, const PathSegment& segment)
 {
-  replicates_ = scene.replicates();
-  sums_.assign(starts * replicates_, {});
-  differences_.assign(scene.tellsNoise ? sums_.size() : 0, {});
-  stale_.assign(starts, {});
+  return segment.isFront &&
+    (segment.isSpecular ||
+      (!scene.foundLamps.empty() &&
+        scene.foundLamps[scene.frame.cells.numbers()[cellOf(scene, segment)]]));
+}
+
+/// From a cell of which something is known.
+void addKnown(const FinalGatherScene& scene, const PathSegment& segment, const Bands& weight,
+  std::uint32_t replicate, Bands& sum, Bands& stale)
+{
+  const TriangleId id = scene.frame.triangles.idOf(segment.triangle);
+  const Material& material = *scene.frame.objects[id.object].material;
+  const CellSide side{ scene.known.cellOf(id), segment.isFront ? 0 : 1 };
+  const CellSums& sums = segment.isKnown ? scene.known : *scene.knownDirect;
+  const double area = scene.frame.cells.area(side);
+  for (int band = 0; band < scene.known.bands(); ++band)
+  {
+    const auto i = static_cast<std::size_t>(band);
+    const double reflected = weight[i] * material.reflectanceOf(id.triangle, band) / area;
+    sum[i] += reflected * sums.sum(side, band, replicate, scene.knownRounds);
+    if (segment.isKnown && scene.knownStale)
+    {
+      stale[i] += reflected / scene.replicates() * scene.knownStale->sum(side, band);
+    }
+  }
+}
+
+/// What a path brings to a replicate.
+void add(const FinalGatherScene& scene, const FollowedPaths::Path& path, std::uint32_t replicate,
+  Bands& sum, Bands& stale)
+{
+  const int bands = scene.known.bands();
+  const double quantaPerWatt = scene.quantaPerWatt / scene.replicates();
+  const double* value = path.values;
+  Bands weight{ 1.0 / scene.raysOfReplicate() };
+  for (const PathSegment* segment = path.begin;
+       segment != path.end && segment->triangle != SceneTriangles::kNone; ++segment)
+  {
+    if (bands > 1)
+    {
+      std::copy_n(value, bands, weight.begin());
+      value += bands;
+    }
+    if (segment->isKnown || segment->isDirectKnown)
+    {
+      addKnown(scene, *segment, weight, replicate, sum, stale);
+    }
+    for (int band = 0; segment->asksLights && band < bands; ++band)
+    {
+      sum[static_cast<std::size_t>(band)] += *value++ * quantaPerWatt;
+    }
+    const double lampWeight = segment->hasLampWeight ? *value++ : 1;
+    if (isMetLamp(scene, *segment))
+    {
+      const SceneCell cell = cellOf(scene, *segment);
+      const double* const emitted =
+        emittedFrom(scene.frame.objects[cell.object], cell.cell, segment->isFront);
+      for (int band = 0; emitted && band < bands; ++band)
+      {
+        const auto i = static_cast<std::size_t>(band);
+        sum[i] += lampWeight * weight[i] * emitted[i] * quantaPerWatt;
+      }
+    }
+  }
+}
+
+}
+
+PathSums::PathSums(const FinalGatherScene& scene, const FollowedPaths& paths)
+  : replicates_(scene.replicates())
+  , sums_(paths.size() / scene.rays * replicates_)
+  , differences_(scene.tellsNoise ? sums_.size() : 0)
+  , stale_(paths.size() / scene.rays)
+{
   for (std::size_t i = 0; i < paths.size(); ++i)
   {
     const std::size_t start = i / scene.rays;
@@ -40,64 +109,6 @@ void PathSums::read(const FinalGatherScene& scene, const FollowedPaths& paths, s
     if (scene.tellsNoise)
     {
       differences_[at] += sign * (sums_[at] - before);
-    }
-  }
-}
-
-void PathSums::add(const FinalGatherScene& scene, const FollowedPaths::Path& path,
-  std::uint32_t replicate, Bands& sum, Bands& stale)
-{
-  const double quantaPerWatt = scene.quantaPerWatt / scene.replicates();
-  forEachHit(scene, path, [&](const PathSegment& segment, const Bands& weight, const Asked& asked) {
-    if (segment.isKnown || segment.isDirectKnown)
-    {
-      addKnown(scene, segment, weight, replicate, sum, stale);
-    }
-    for (int band = 0; asked.brought && band < scene.known.all.bands(); ++band)
-    {
-      sum[static_cast<std::size_t>(band)] += asked.brought[band] * quantaPerWatt;
-    }
-    if (segment.isFront &&
-      (segment.isSpecular ||
-        (!scene.foundLamps.isEmpty() && scene.foundLamps.contains(cellOf(scene, segment)))))
-    {
-      addEmitted(scene, segment, weight, asked.lampWeight, sum);
-    }
-  });
-}
-
-void PathSums::addEmitted(const FinalGatherScene& scene, const PathSegment& segment,
-  const Bands& weight, double lampWeight, Bands& sum)
-{
-  const SceneCell cell = cellOf(scene, segment);
-  const double* const emitted =
-    emittedFrom(scene.frame.objects[cell.object], cell.cell, segment.isFront);
-  const double quantaPerWatt = scene.quantaPerWatt / scene.replicates();
-  for (int band = 0; emitted && band < scene.known.all.bands(); ++band)
-  {
-    const auto i = static_cast<std::size_t>(band);
-    sum[i] += lampWeight * weight[i] * emitted[i] * quantaPerWatt;
-  }
-}
-
-void PathSums::addKnown(const FinalGatherScene& scene, const PathSegment& segment,
-  const Bands& weight, std::uint32_t replicate, Bands& sum, Bands& stale)
-{
-  const TriangleId id = scene.frame.triangles.idOf(segment.triangle);
-  const Material& material = *scene.frame.objects[id.object].material;
-  const CellSide side{ { id.object, material.cellOfTriangle[id.triangle] },
-    segment.isFront ? 0 : 1 };
-  const KnownLight& known = scene.known;
-  const CellSums& sums = segment.isKnown ? known.all : *known.direct;
-  const double area = scene.frame.cells.area(side);
-  for (int band = 0; band < known.all.bands(); ++band)
-  {
-    const auto i = static_cast<std::size_t>(band);
-    const double reflected = weight[i] * material.reflectanceOf(id.triangle, band) / area;
-    sum[i] += reflected * sums.sum(side, band, replicate, known.rounds);
-    if (segment.isKnown && known.stale)
-    {
-      stale[i] += reflected / scene.replicates() * known.stale->sum(side, band);
     }
   }
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdlib>
 #include <new>
 
 namespace irradiance
@@ -23,6 +24,16 @@ BlockArena::BlockArena(std::size_t pageBytes)
 BlockArena::~BlockArena()
 {
   assert(used_ == 0);
+  freeSlabs();
+}
+
+void BlockArena::freeSlabs()
+{
+  for (std::byte* const slab : slabs_)
+  {
+    std::free(slab);
+  }
+  slabs_.clear();
 }
 
 void* BlockArena::take()
@@ -33,9 +44,9 @@ void* BlockArena::take()
     addSlab();
   }
   ++used_;
-  if (Free* const page = free_)
+  if (void* const page = free_)
   {
-    free_ = page->next;
+    free_ = *static_cast<void**>(page);
     return page;
   }
   void* const page = next_;
@@ -46,7 +57,7 @@ void* BlockArena::take()
 void BlockArena::giveBack(void* page) noexcept
 {
   const std::lock_guard<std::mutex> lock(mutex_);
-  free_ = new (page) Free{ free_ };
+  free_ = new (page) void*(free_);
   --used_;
 }
 
@@ -57,13 +68,13 @@ void BlockArena::addSlab()
   const std::size_t wanted = std::clamp(bytes_ / 16, kFirstSlab, kLargestSlab);
   const std::size_t size = std::max<std::size_t>(wanted / pageBytes_, 1) * pageBytes_;
   slabs_.reserve(slabs_.size() + 1);
-  Slab slab(static_cast<std::byte*>(std::aligned_alloc(kAlignment, size)));
-  if (!slab)
+  next_ = static_cast<std::byte*>(std::aligned_alloc(kAlignment, size));
+  if (next_ == nullptr)
   {
+    end_ = nullptr;
     throw std::bad_alloc();
   }
-  slabs_.push_back(std::move(slab));
-  next_ = slabs_.back().get();
+  slabs_.push_back(next_);
   end_ = next_ + size;
   bytes_ += size;
 }
@@ -71,7 +82,7 @@ void BlockArena::addSlab()
 std::size_t BlockArena::bytes() const
 {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return bytes_ + slabs_.capacity() * sizeof(Slab);
+  return bytes_ + slabs_.capacity() * sizeof(std::byte*);
 }
 
 std::size_t BlockArena::bytesInUse() const
@@ -87,7 +98,7 @@ void BlockArena::release()
   {
     return;
   }
-  slabs_.clear();
+  freeSlabs();
   bytes_ = 0;
   free_ = nullptr;
   next_ = end_ = nullptr;

@@ -3,8 +3,6 @@
 #define irradiance_BlockArena_h
 
 #include <cstddef>
-#include <cstdlib>
-#include <memory>
 #include <mutex>
 #include <vector>
 
@@ -40,23 +38,14 @@ public:
   static constexpr std::size_t kAlignment = 64;
 
 private:
-  struct Free
-  {
-    Free* next;
-  };
-  struct FreeSlab
-  {
-    void operator()(std::byte* slab) const { std::free(slab); }
-  };
-  using Slab = std::unique_ptr<std::byte, FreeSlab>;
-
   void addSlab();
+  void freeSlabs();
 
   const std::size_t pageBytes_;
   mutable std::mutex mutex_;
-  std::vector<Slab> slabs_;
-  std::size_t bytes_ = 0, used_ = 0;           ///< pages in use
-  Free* free_ = nullptr;                       ///< pages that were given back
+  std::vector<std::byte*> slabs_;
+  std::size_t bytes_ = 0, used_ = 0; ///< pages in use
+  void* free_ = nullptr; ///< pages that were given back: each begins with where the next one is
   std::byte *next_ = nullptr, *end_ = nullptr; ///< of the last slab, never used yet
 };
 

@@ -7,14 +7,11 @@
 #include "Simd/SimdTarget.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <immintrin.h>
 
 IRRADIANCE_TARGET_BEGIN(IRRADIANCE_AVX512)
 
-#include "History/GridSegments.inl"
-#include "History/PageScan.inl"
 #include "History/WideTags.inl"
 
 namespace irradiance
@@ -22,26 +19,12 @@ namespace irradiance
 namespace
 {
 
-struct Avx512ShortLanes
+/// Floats and whole numbers of 16 bits, side by side.
+struct GridLanes : WideTags
 {
-  static constexpr std::size_t kCount = 32;
-
-  static __m512i all(std::uint32_t twice) { return _mm512_set1_epi32(static_cast<int>(twice)); }
-  static __m512i load(const std::int16_t* values) { return _mm512_load_si512(values); }
-  /// Divided by 2^15.
-  static __m512i multiply(__m512i a, __m512i b) { return _mm512_mulhrs_epi16(a, b); }
-  static __m512i add(__m512i a, __m512i b) { return _mm512_add_epi16(a, b); }
-  static __m512i subtract(__m512i a, __m512i b) { return _mm512_sub_epi16(a, b); }
-  static __m512i most(__m512i a, __m512i b) { return _mm512_max_epi16(a, b); }
-  static __m512i absolute(__m512i a) { return _mm512_abs_epi16(a); }
-  static unsigned notAbove(__m512i a, __m512i b) { return _mm512_cmple_epi16_mask(a, b); }
-};
-
-struct Avx512GridLanes : WideTags
-{
-  using Shorts = Avx512ShortLanes;
   using Floats = __m512;
-  static constexpr std::size_t kCount = 16;
+  using Shorts = __m512i;
+  static constexpr std::size_t kFloats = 16, kShorts = 32;
 
   static Floats all(float value) { return _mm512_set1_ps(value); }
   static Floats load(const std::int16_t* places)
@@ -49,22 +32,38 @@ struct Avx512GridLanes : WideTags
     const __m256i all = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(places));
     return _mm512_cvtepi32_ps(_mm512_cvtepi16_epi32(all));
   }
-  static Floats add(Floats a, Floats b) { return _mm512_add_ps(a, b); }
-  static Floats subtract(Floats a, Floats b) { return _mm512_sub_ps(a, b); }
-  static Floats multiply(Floats a, Floats b) { return _mm512_mul_ps(a, b); }
-  static Floats divide(Floats a, Floats b) { return _mm512_div_ps(a, b); }
   static Floats least(Floats a, Floats b) { return _mm512_min_ps(a, b); }
   static Floats most(Floats a, Floats b) { return _mm512_max_ps(a, b); }
   static Floats absolute(Floats a) { return _mm512_abs_ps(a); }
   /// NaN counts as not above.
   static unsigned notAbove(Floats a, Floats b) { return _mm512_cmp_ps_mask(a, b, _CMP_NGT_UQ); }
+
+  static Shorts allShorts(std::uint32_t twice)
+  {
+    return _mm512_set1_epi32(static_cast<int>(twice));
+  }
+  static Shorts loadShorts(const std::int16_t* values) { return _mm512_load_si512(values); }
+  /// Divided by 2^15.
+  static Shorts multiply(Shorts a, Shorts b) { return _mm512_mulhrs_epi16(a, b); }
+  static Shorts add(Shorts a, Shorts b) { return _mm512_add_epi16(a, b); }
+  static Shorts subtract(Shorts a, Shorts b) { return _mm512_sub_epi16(a, b); }
+  static Shorts most(Shorts a, Shorts b) { return _mm512_max_epi16(a, b); }
+  static Shorts absolute(Shorts a) { return _mm512_abs_epi16(a); }
+  static unsigned notAbove(Shorts a, Shorts b) { return _mm512_cmple_epi16_mask(a, b); }
 };
 
 }
+}
+
+#include "History/GridSegments.inl"
+#include "History/PageScan.inl"
+
+namespace irradiance
+{
 
 void scanPagesAvx512(const PageScan& scan)
 {
-  scanPages<Avx512GridLanes>(scan);
+  scanPages(scan);
 }
 
 void placeOnGridAvx512(const PointGrid& grid, const RayColumns& rays, std::size_t first,

@@ -2,9 +2,7 @@
 #include "History/BounceBlock.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <utility>
 
 namespace irradiance
 {
@@ -34,12 +32,6 @@ void copySome(const Value* from, std::size_t count, Value* to)
   std::copy_n(from, count, to);
 }
 
-/// From a slot to the end of its page.
-std::uint32_t placesFrom(std::uint32_t slot)
-{
-  return BouncePage::kSize - slot % BouncePage::kSize;
-}
-
 }
 
 BounceBlock::BounceBlock(BlockArena& arena, std::uint32_t firstWalk, std::uint32_t numberOfWalks,
@@ -56,35 +48,10 @@ BounceBlock::BounceBlock(BlockArena& arena, std::uint32_t firstWalk, std::uint32
 
 BounceBlock::~BounceBlock()
 {
-  giveBack();
-}
-
-BounceBlock::BounceBlock(BounceBlock&& other) noexcept = default;
-
-BounceBlock& BounceBlock::operator=(BounceBlock&& other) noexcept
-{
-  giveBack();
-  arena_ = other.arena_;
-  firstWalk_ = other.firstWalk_;
-  numberOfWalks_ = other.numberOfWalks_;
-  size_ = other.size_;
-  bands_ = other.bands_;
-  grid_ = other.grid_;
-  power_ = other.power_;
-  pages_ = std::move(other.pages_);
-  free_ = std::move(other.free_);
-  children_ = std::move(other.children_);
-  parents_ = std::move(other.parents_);
-  return *this;
-}
-
-void BounceBlock::giveBack() noexcept
-{
   for (BouncePage* const page : pages_)
   {
     arena_->giveBack(page);
   }
-  pages_.clear();
 }
 
 void BounceBlock::addPage()
@@ -158,8 +125,9 @@ void BounceBlock::appendSome(
   placeOnGrid(grid_, front.rays, first, count, segments);
   for (std::size_t i = 0, run = 1; i < count; i += run)
   {
-    // Most slots follow each other.
-    const std::size_t most = std::min<std::size_t>(count - i, placesFrom(slots[i]));
+    // Most slots follow each other, up to the end of a page.
+    const std::size_t most =
+      std::min<std::size_t>(count - i, BouncePage::kSize - slots[i] % BouncePage::kSize);
     for (run = 1; run < most && slots[i + run] == slots[i] + run; ++run)
     {
     }
@@ -306,13 +274,6 @@ std::uint32_t BounceBlock::bounceOf(std::uint32_t slot) const
     ++more;
   }
   return pageOf(slot).bounces[slot % BouncePage::kSize] + more;
-}
-
-std::uint32_t BounceBlock::size(std::uint32_t walk) const
-{
-  std::uint32_t size = 0;
-  forEachFrom(begin(walk), [&](std::uint32_t) { ++size; });
-  return size;
 }
 
 Power BounceBlock::power(std::uint32_t slot) const

@@ -5,17 +5,33 @@
 #include "History/BlockArena.h"
 #include "History/BouncePage.h"
 #include "History/GridSegments.h"
-#include "History/SegmentRef.h"
 #include "Simd/Prefetch.h"
 #include "Surfaces/Power.h"
 
 #include <array>
 #include <cstdint>
+#include <tuple>
 #include <unordered_map>
 #include <vector>
 
 namespace irradiance
 {
+
+/// Which segment of which walk; also the photon that the segment brings to what it hits.
+struct SegmentRef
+{
+  std::uint32_t walk;   ///< its number in the plan
+  std::uint32_t bounce; ///< 0 for the segment that leaves the light
+
+  friend bool operator==(const SegmentRef& a, const SegmentRef& b)
+  {
+    return a.walk == b.walk && a.bounce == b.bounce;
+  }
+  friend bool operator<(const SegmentRef& a, const SegmentRef& b)
+  {
+    return std::tie(a.walk, a.bounce) < std::tie(b.walk, b.bounce);
+  }
+};
 
 /// Segments that were shot side by side, in columns. Rows are read up to RayColumns::kPadding
 /// places behind the last one.
@@ -47,7 +63,7 @@ struct BounceColumns
  * Slots lie in pages of 256, taken from an arena. Links have 16 bits: what links lead from one part
  * of 64 K slots to another is listed aside. That takes 64 segments a walk.
  *
- * The cache of static hits (section 3.3 of the paper) stands beside it, by slot: see HiddenHits.
+ * The cache of static hits (section 3.3 of the paper) stands beside it, by slot: see HiddenHit.
  */
 class BounceBlock
 {
@@ -66,8 +82,7 @@ public:
   BounceBlock(BlockArena& arena, std::uint32_t firstWalk, std::uint32_t numberOfWalks, int bands,
     const PointGrid& grid, const Power& power);
   ~BounceBlock();
-  BounceBlock(BounceBlock&& other) noexcept;
-  BounceBlock& operator=(BounceBlock&& other) noexcept;
+  BounceBlock(BounceBlock&& other) noexcept = default;
 
   std::uint32_t firstWalk() const { return firstWalk_; }
   std::uint32_t endWalk() const { return firstWalk_ + numberOfWalks_; }
@@ -129,8 +144,6 @@ public:
   std::uint32_t lastOf(std::uint32_t walk) const;
   std::uint32_t bounceOf(std::uint32_t slot) const;
   SegmentRef segmentAt(std::uint32_t slot) const { return { walkOf(slot), bounceOf(slot) }; }
-  /// The number of segments of a walk.
-  std::uint32_t size(std::uint32_t walk) const;
 
   // What is known of a segment.
   /// kNone if it escapes.
@@ -151,8 +164,8 @@ public:
   Power power(std::uint32_t slot) const;
   std::uint8_t tag(std::uint32_t slot) const { return pageOf(slot).tags[slot % BouncePage::kSize]; }
 
-  /// Calls visit(slot) for a segment and all after it of its walk, in order. Those whose triangle()
-  /// is not kNone are contributions to a cell, see Contribution.h. The visit must not remove any.
+  /// Calls visit(slot) for a segment and all after it of its walk, in order. The visit must not
+  /// remove any.
   template <class Visit>
   void forEachFrom(std::uint32_t slot, const Visit& visit) const
   {
@@ -199,13 +212,8 @@ private:
   static constexpr std::uint32_t kPart = 1u << 16;
 
   static std::uint32_t partOf(std::uint32_t slot) { return slot & ~(kPart - 1); }
-  BouncePage& pageOf(std::uint32_t slot) { return *pages_[slot / BouncePage::kSize]; }
-  const BouncePage& pageOf(std::uint32_t slot) const { return *pages_[slot / BouncePage::kSize]; }
-  BounceRecord& record(std::uint32_t slot)
-  {
-    return pageOf(slot).records[slot % BouncePage::kSize];
-  }
-  const BounceRecord& record(std::uint32_t slot) const
+  BouncePage& pageOf(std::uint32_t slot) const { return *pages_[slot / BouncePage::kSize]; }
+  BounceRecord& record(std::uint32_t slot) const
   {
     return pageOf(slot).records[slot % BouncePage::kSize];
   }
@@ -220,7 +228,6 @@ private:
   BounceRecord recordOf(const BounceColumns& front, std::size_t row) const;
   void link(std::uint32_t parent, std::uint32_t slot);
   void unlink(std::uint32_t slot);
-  void giveBack() noexcept;
 
   BlockArena* arena_;
   std::uint32_t firstWalk_, numberOfWalks_;

@@ -8,41 +8,20 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "History/GridSegments.inl"
-#include "History/PageScan.inl"
-
 namespace irradiance
 {
 namespace
 {
 
-struct PlainShortLanes
+/// One float, and one whole number of 16 bits.
+struct GridLanes
 {
-  static constexpr std::size_t kCount = 1;
-
-  static int all(std::uint32_t twice) { return static_cast<std::int16_t>(twice & 0xffffu); }
-  static int load(const std::int16_t* value) { return *value; }
-  /// Divided by 2^15.
-  static int multiply(int a, int b) { return (a * b + 0x4000) >> 15; }
-  static int add(int a, int b) { return a + b; }
-  static int subtract(int a, int b) { return a - b; }
-  static int most(int a, int b) { return a > b ? a : b; }
-  static int absolute(int a) { return std::abs(a); }
-  static unsigned notAbove(int a, int b) { return a > b ? 0 : 1; }
-};
-
-struct PlainGridLanes
-{
-  using Shorts = PlainShortLanes;
   using Floats = float;
-  static constexpr std::size_t kCount = 1;
+  using Shorts = int;
+  static constexpr std::size_t kFloats = 1, kShorts = 1;
 
   static Floats all(float value) { return value; }
   static Floats load(const std::int16_t* places) { return *places; }
-  static Floats add(Floats a, Floats b) { return a + b; }
-  static Floats subtract(Floats a, Floats b) { return a - b; }
-  static Floats multiply(Floats a, Floats b) { return a * b; }
-  static Floats divide(Floats a, Floats b) { return a / b; }
   static Floats least(Floats a, Floats b) { return a < b ? a : b; }
   static Floats most(Floats a, Floats b) { return a > b ? a : b; }
   static Floats absolute(Floats a) { return std::fabs(a); }
@@ -67,13 +46,33 @@ struct PlainGridLanes
     }
     return bits;
   }
+
+  static Shorts allShorts(std::uint32_t twice)
+  {
+    return static_cast<std::int16_t>(twice & 0xffffu);
+  }
+  static Shorts loadShorts(const std::int16_t* value) { return *value; }
+  /// Divided by 2^15.
+  static Shorts multiply(Shorts a, Shorts b) { return (a * b + 0x4000) >> 15; }
+  static Shorts add(Shorts a, Shorts b) { return a + b; }
+  static Shorts subtract(Shorts a, Shorts b) { return a - b; }
+  static Shorts most(Shorts a, Shorts b) { return a > b ? a : b; }
+  static Shorts absolute(Shorts a) { return std::abs(a); }
+  static unsigned notAbove(Shorts a, Shorts b) { return a > b ? 0 : 1; }
 };
 
 }
+}
+
+#include "History/GridSegments.inl"
+#include "History/PageScan.inl"
+
+namespace irradiance
+{
 
 void scanPagesPlain(const PageScan& scan)
 {
-  scanPages<PlainGridLanes>(scan);
+  scanPages(scan);
 }
 
 void placeOnGridPlain(const PointGrid& grid, const RayColumns& rays, std::size_t first,

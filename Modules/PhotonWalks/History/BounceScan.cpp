@@ -76,10 +76,9 @@ void BounceScan::find(
   near.resize(PageScan::kMostParts * bodies_.size() + 1);
   flagged.resize(block.pages().size() * PageScan::kGroups);
   const BouncePage* const after = next.pages().empty() ? nullptr : next.pages().front();
-  const GridBodies bodies{ bodies_.data(), balls_.data(),
-    static_cast<std::uint32_t>(bodies_.size()), areSmall_, stretch_ };
-  const PageScan scan{ block.pages().data(), block.pages().size(), after, tags_, bodies,
-    near.data(), flagged.data() };
+  const PageScan scan{ block.pages().data(), block.pages().size(), after, tags_, bodies_.data(),
+    balls_.data(), static_cast<std::uint32_t>(bodies_.size()), areSmall_, stretch_, near.data(),
+    flagged.data() };
   IRRADIANCE_CALL_BEST(scanPages, scan);
   listFlagged(flagged, slots);
 }

@@ -34,11 +34,10 @@ double largestOfCube(const Matrix3& matrix)
   return largest;
 }
 
-LineBall lineBall(const Vector3& center, double radius)
+void setLineBall(const Vector3& center, double radius, GridBall& ball)
 {
   constexpr double kFarthest = 36000; // so that all sums fit in 16 bits
   constexpr double kRounding = 4;     // of a line and the ball, in units
-  LineBall ball;
   if (center.cwiseAbs().maxCoeff() < kFarthest)
   {
     const auto twice = [](double value) {
@@ -46,11 +45,10 @@ LineBall lineBall(const Vector3& center, double radius)
     };
     for (int axis = 0; axis < 3; ++axis)
     {
-      ball.center[axis] = twice(center[axis] / LineBall::kUnit);
+      ball.lineCenter[axis] = twice(center[axis] / GridBall::kLineUnit);
     }
-    ball.radius = twice(std::ceil(radius / LineBall::kUnit + kRounding));
+    ball.lineRadius = twice(std::ceil(radius / GridBall::kLineUnit + kRounding));
   }
-  return ball;
 }
 
 }
@@ -92,7 +90,7 @@ GridBall ballOnGrid(const PointGrid& grid, const EllipsoidBound& bound)
   {
     Eigen::Map<Eigen::Vector3f>(ball.center) = center.cast<float>();
     ball.squaredRadius = static_cast<float>(radius * radius * kMore);
-    ball.line = lineBall(center, std::sqrt(static_cast<double>(ball.squaredRadius)));
+    setLineBall(center, std::sqrt(static_cast<double>(ball.squaredRadius)), ball);
   }
   return ball;
 }

@@ -25,16 +25,6 @@ struct GridBody
   float slack[3]; ///< times the 1-norm of a segment: widens the cube across each axis
 };
 
-/// The ball of a GridBall in whole numbers, for lines: see SegmentLines. Each number stands in both
-/// halves of its 32 bits, as lanes take it.
-struct LineBall
-{
-  static constexpr float kUnit = 4; ///< steps
-
-  std::uint32_t center[3] = {};
-  std::uint32_t radius = 0x7fff7fff; ///< of an object that is not small: all lines are near
-};
-
 /**
  * The ball around a moved object that is small beside the grid, in the grid stretched to equal
  * steps along all axes, of at most 1. To test it takes a third of what its GridBody takes, and most
@@ -45,7 +35,12 @@ struct GridBall
   float center[3] = {};
   /// Infinite if the object is not small.
   float squaredRadius = std::numeric_limits<float>::infinity();
-  LineBall line;
+  /// In whole numbers of kLineUnit, for lines: see SegmentLines. Each number stands in both halves
+  /// of its 32 bits, as lanes take it.
+  std::uint32_t lineCenter[3] = {};
+  std::uint32_t lineRadius = 0x7fff7fff; ///< if the object is not small: all lines are near
+
+  static constexpr float kLineUnit = 4; ///< steps
 
   bool isSmall() const { return squaredRadius < std::numeric_limits<float>::infinity(); }
 };

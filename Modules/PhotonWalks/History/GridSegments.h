@@ -3,6 +3,7 @@
 #define irradiance_GridSegments_h
 
 #include "History/PointGrid.h"
+#include "Simd/SimdLevel.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -44,9 +45,6 @@ struct GridSegments
   std::uint8_t states[kSize];  ///< State
 };
 
-/// Rays [first, first + count), at most GridSegments::kSize. The same bits on every machine.
-void placeOnGrid(const PointGrid& grid, const RayColumns& rays, std::size_t first,
-  std::size_t count, GridSegments& segments);
 void placeOnGridPlain(const PointGrid& grid, const RayColumns& rays, std::size_t first,
   std::size_t count, GridSegments& segments);
 #ifdef __x86_64__
@@ -55,6 +53,13 @@ void placeOnGridAvx2(const PointGrid& grid, const RayColumns& rays, std::size_t 
 void placeOnGridAvx512(const PointGrid& grid, const RayColumns& rays, std::size_t first,
   std::size_t count, GridSegments& segments);
 #endif
+
+/// Rays [first, first + count), at most GridSegments::kSize. The same bits on every machine.
+inline void placeOnGrid(const PointGrid& grid, const RayColumns& rays, std::size_t first,
+  std::size_t count, GridSegments& segments)
+{
+  IRRADIANCE_CALL_BEST(placeOnGrid, grid, rays, first, count, segments);
+}
 
 }
 

@@ -67,44 +67,32 @@ IRRADIANCE_LANES void placeWhole(
   }
 }
 
-/// The distances between which rays are within the grid.
-struct GridSpan
-{
-  GridDoubles from, to;
-
-  IRRADIANCE_LANES explicit GridSpan(const GridRays& rays)
-    : from{}
-    , to(rays.reach)
-  {
-    constexpr double kReach = PointGrid::kReach;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const GridDoubles lower = (-kReach - rays.origin[axis]) / rays.along[axis],
-                        upper = (kReach - rays.origin[axis]) / rays.along[axis];
-      const GridDoubles enters = lower < upper ? lower : upper,
-                        leaves = lower > upper ? lower : upper;
-      // NaN, from a ray along a face of the grid, changes nothing.
-      from = enters > from ? enters : from;
-      to = leaves < to ? leaves : to;
-    }
-  }
-};
-
 /// Writes the same segments again, cut, except those that are whole.
 IRRADIANCE_LANES void placeCut(
   const GridRays& rays, const GridMask& isIn, GridSegments& segments, std::size_t at)
 {
-  GridSpan span(rays);
-  const GridDoubles zero{}, corner = PointGrid::kReach - zero;
-  span.from = isIn ? zero : span.from;
-  span.to = isIn ? rays.reach : span.to;
-  const GridMask isInside = span.from <= span.to;
+  constexpr double kReach = PointGrid::kReach;
+  const GridDoubles zero{}, corner = kReach - zero;
+  GridDoubles nearest = zero, farthest = rays.reach; // where rays are within the grid
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const GridDoubles lower = (-kReach - rays.origin[axis]) / rays.along[axis],
+                      upper = (kReach - rays.origin[axis]) / rays.along[axis];
+    const GridDoubles enters = lower < upper ? lower : upper,
+                      leaves = lower > upper ? lower : upper;
+    // NaN, from a ray along a face of the grid, changes nothing.
+    nearest = enters > nearest ? enters : nearest;
+    farthest = leaves < farthest ? leaves : farthest;
+  }
+  nearest = isIn ? zero : nearest;
+  farthest = isIn ? rays.reach : farthest;
+  const GridMask isInside = nearest <= farthest;
   GridMask isNear = ~GridMask{};
   for (int axis = 0; axis < 3; ++axis)
   {
     const GridDoubles& origin = rays.origin[axis];
-    const GridDoubles from = origin + span.from * rays.along[axis],
-                      to = origin + span.to * rays.along[axis];
+    const GridDoubles from = origin + nearest * rays.along[axis],
+                      to = origin + farthest * rays.along[axis];
     roundToGrid(isInside ? from : corner, segments.ends[axis] + at);
     roundToGrid(isInside ? to : corner, segments.ends[3 + axis] + at);
     isNear &= (origin < GridSegments::kFarthest) & (origin > -GridSegments::kFarthest);

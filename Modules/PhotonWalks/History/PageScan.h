@@ -29,16 +29,6 @@ struct TagSet
   }
 };
 
-/// Moved bodies, by number.
-struct GridBodies
-{
-  const GridBody* bodies;
-  const GridBall* balls;
-  std::uint32_t count;
-  bool areSmall;        ///< some are, so balls are worth testing
-  const float* stretch; ///< of the grid along each axis, see GridBall
-};
-
 /// A body, and which of some segments may come near its ball, a bit for each.
 struct NearBody
 {
@@ -57,8 +47,12 @@ struct PageScan
   std::size_t numberOfPages;
   const BouncePage* next; ///< is scanned afterwards, to be prefetched; may be null
   TagSet tags;
-  GridBodies bodies;
-  NearBody* near; ///< room for kMostParts times as many; of no meaning outside
+  const GridBody* bodies; ///< that moved
+  const GridBall* balls;  ///< around these
+  std::uint32_t numberOfBodies;
+  bool areSmall;        ///< some are, so balls are worth testing
+  const float* stretch; ///< of the grid along each axis, see GridBall
+  NearBody* near;       ///< room for kMostParts times as many; of no meaning outside
   /// A bit for each slot, kGroups words for each page: set if a segment is stored there that may
   /// touch a body, or whose tag is in `tags`. The same on every machine.
   std::uint16_t* flagged;

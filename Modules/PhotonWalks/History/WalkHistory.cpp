@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "History/WalkHistory.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace irradiance
@@ -88,27 +87,11 @@ void WalkHistory::setKinds(
   }
 }
 
-void WalkHistory::append(std::size_t block, const BounceColumns& front, std::size_t first,
-  std::size_t count, std::uint32_t* slots)
-{
-  blocks_[block].append(front, first, count, slots);
-}
-
-void WalkHistory::find(const BounceScan& scan, std::size_t first, std::size_t end,
-  std::vector<std::vector<std::uint32_t>>& slots) const
-{
-  slots.resize(std::max(slots.size(), end - first));
-  for (std::size_t block = first; block < end; ++block)
-  {
-    scan.find(blocks_[block], blocks_[std::min(block + 1, end - 1)], slots[block - first]);
-  }
-}
-
 void WalkHistory::forgetHiddenHits()
 {
-  for (HiddenHits& hidden : hidden_)
+  for (auto& hidden : hidden_)
   {
-    hidden.forgetAll();
+    hidden.clear();
   }
 }
 
@@ -117,7 +100,8 @@ std::size_t WalkHistory::bytes() const
   std::size_t bytes = kinds_.capacity();
   for (std::size_t i = 0; i < blocks_.size(); ++i)
   {
-    bytes += blocks_[i].bytes() + hidden_[i].bytes();
+    bytes += blocks_[i].bytes() + hidden_[i].bucket_count() * sizeof(void*) +
+      hidden_[i].size() * (sizeof(std::pair<const std::uint32_t, HiddenHit>) + 2 * sizeof(void*));
   }
   return bytes;
 }

@@ -3,25 +3,58 @@
 #define irradiance_WalkHistory_h
 
 #include "History/BounceBlock.h"
-#include "History/BounceScan.h"
-#include "History/Contribution.h"
-#include "History/HiddenHits.h"
-#include "History/Photon.h"
-#include "Sampling/DealtBlocks.h"
 #include "Sampling/WalkPlan.h"
 #include "Scene/TriangleNumbers.h"
 
+#include <array>
 #include <memory>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace irradiance
 {
+
+/// A photon and where it arrived.
+struct Photon
+{
+  SegmentRef reference;
+  TriangleId id;
+  std::array<float, 2> weights; ///< see Hit
+  bool isFront;                 ///< the side that was hit
+};
+
+/// Photons that left the history or came to it, in any order.
+struct PhotonChanges
+{
+  std::vector<Photon> gone, arrived;
+
+  void add(const PhotonChanges& others)
+  {
+    gone.insert(gone.end(), others.gone.begin(), others.gone.end());
+    arrived.insert(arrived.end(), others.arrived.begin(), others.arrived.end());
+  }
+};
 
 /// Where a segment is stored: the block, counted in its history, and the slot there.
 struct SegmentPlace
 {
   std::size_t block;
   std::uint32_t slot;
+};
+
+/// The closest static hit along the ray of a segment that ends before it, on a dynamic object. The
+/// cache of these (section 3.3 of the paper) keeps a hit as long as a dynamic object hides it; when
+/// the object has moved away, the static tree need not be searched.
+struct HiddenHit
+{
+  static constexpr std::uint32_t kUnknown = 0xfffffffeu; ///< not TriangleId::kNone, which is known
+
+  double distance = kInfinity;
+  std::uint32_t triangle = kUnknown; ///< kNone if nothing static is hit
+  float weights[2] = { 0, 0 };
+
+  bool isKnown() const { return triangle != kUnknown; }
 };
 
 /**
@@ -59,8 +92,6 @@ public:
     const std::size_t block = indexOf(segment.walk);
     return { block, blocks_[block].slotOf(segment) };
   }
-  /// The number of segments of a walk.
-  std::uint32_t size(std::uint32_t walk) const { return blocks_[indexOf(walk)].size(walk); }
 
   /// Changes to a plan that has more rounds.
   void extend(const WalkPlan& plan) { plan_ = plan; }
@@ -72,29 +103,30 @@ public:
 
   /// Sets the kinds of these hits, see BounceColumns; kContact is for the caller to set.
   void setKinds(const std::uint32_t* triangles, std::size_t count, std::uint8_t* kinds) const;
-  /// Stores rows of a front, see BounceBlock::append.
-  void append(std::size_t block, const BounceColumns& front, std::size_t first, std::size_t count,
-    std::uint32_t* slots);
   /// Removes this segment and all after it of its walk. Calls visit(slot) for each before.
   template <class Visit>
   void removeFrom(const SegmentPlace& first, const Visit& visit)
   {
-    HiddenHits& hidden = hidden_[first.block];
+    auto& hidden = hidden_[first.block];
     blocks_[first.block].removeFrom(first.slot, [&](std::uint32_t slot) {
       visit(slot);
-      if (!hidden.isEmpty())
+      if (!hidden.empty())
       {
-        hidden.forget(slot);
+        hidden.erase(slot);
       }
     });
   }
 
-  /// Lists for each block of [first, end) the slots of segments that the scan flags, in order.
-  void find(const BounceScan& scan, std::size_t first, std::size_t end,
-    std::vector<std::vector<std::uint32_t>>& slots) const;
-
-  HiddenHits& hidden(std::size_t block) { return hidden_[block]; }
-  const HiddenHits& hidden(std::size_t block) const { return hidden_[block]; }
+  /// What the cache knows of a segment.
+  HiddenHit hidden(const SegmentPlace& place) const
+  {
+    const auto found = hidden_[place.block].find(place.slot);
+    return found == hidden_[place.block].end() ? HiddenHit{} : found->second;
+  }
+  void setHidden(const SegmentPlace& place, const HiddenHit& hit)
+  {
+    hidden_[place.block][place.slot] = hit;
+  }
   void forgetHiddenHits();
 
   /// Memory held.
@@ -108,30 +140,7 @@ public:
   /// The hit without its distance.
   Hit hit(const SegmentRef& segment) const { return hit(placeOf(segment)); }
   Hit hit(const SegmentPlace& place) const { return hitAt(blocks_[place.block], place.slot); }
-  /// Whether it hits the front.
-  bool isFront(const SegmentRef& segment) const
-  {
-    const SegmentPlace place = placeOf(segment);
-    return blocks_[place.block].isFront(place.slot);
-  }
 
-  /// Calls visit(Contribution) for each segment of a walk that hits something, in order: from this
-  /// one up to bounce `end`.
-  template <class Visit>
-  void forEachContribution(const SegmentPlace& first, const SegmentRef& segment, std::uint32_t end,
-    const Visit& visit) const
-  {
-    const BounceBlock& block = blocks_[first.block];
-    SegmentRef now = segment;
-    for (std::uint32_t slot = first.slot; slot != BounceBlock::kNone && now.bounce < end;
-         slot = block.next(slot), ++now.bounce)
-    {
-      if (const Hit hit = hitAt(block, slot))
-      {
-        visit(Contribution{ now, hit, block.isFront(slot), block.power(slot) });
-      }
-    }
-  }
   /// Calls visit(Photon) for each photon that segments of a walk brought, from this one on, in
   /// order.
   template <class Visit>
@@ -182,7 +191,41 @@ private:
   DealtBlocks dealt_;
   std::shared_ptr<BlockArena> arena_; ///< outlives the blocks
   std::vector<BounceBlock> blocks_;
-  std::vector<HiddenHits> hidden_; ///< by block
+  std::vector<std::unordered_map<std::uint32_t, HiddenHit>> hidden_; ///< by block, then by slot
+};
+
+/// The histories of all sets of walks, ordered by the numbers of their walks.
+class WalkHistories
+{
+public:
+  /// At least one; they must outlive it.
+  explicit WalkHistories(std::vector<const WalkHistory*> all)
+    : all_(std::move(all))
+  {
+  }
+  /// Of a single set.
+  WalkHistories(const WalkHistory& only)
+    : all_{ &only }
+  {
+  }
+
+  const std::vector<const WalkHistory*>& all() const { return all_; }
+  /// The history that stores a walk.
+  const WalkHistory& of(std::uint32_t walk) const
+  {
+    std::size_t i = 0;
+    while (i + 1 < all_.size() && walk >= all_[i]->plan().endWalk())
+    {
+      ++i;
+    }
+    return *all_[i];
+  }
+  Power power(const SegmentRef& segment) const { return of(segment.walk).power(segment); }
+  /// The hit without its distance.
+  Hit hit(const SegmentRef& segment) const { return of(segment.walk).hit(segment); }
+
+private:
+  std::vector<const WalkHistory*> all_;
 };
 
 }

@@ -2,10 +2,13 @@
 #ifndef irradiance_Light_h
 #define irradiance_Light_h
 
-#include "Lights/AreaLight.h"
+#include "Geometry/Vector.h"
 #include "Lights/PointLight.h"
+#include "Meshes/SurfacePoint.h"
+#include "Sampling/DirectionSampling.h"
 #include "Surfaces/Bands.h"
 #include "Surfaces/SceneCell.h"
+#include "Surfaces/SceneObjects.h"
 
 #include <array>
 #include <utility>
@@ -13,6 +16,38 @@
 
 namespace irradiance
 {
+
+/// A triangle of a cell with exitance, in world space. Light leaves its front as it would after
+/// diffuse reflection.
+struct AreaLight
+{
+  TriangleId id;
+  Triangle triangle;
+
+  /// What the cosine to the normal is times, for the intensity of each W, 1/sr.
+  static constexpr double kPerSteradian = 1 / kPi;
+  /// m2 sr: the flux over this is the radiance, W/m2/sr, in all directions.
+  static double etendue(const Triangle& triangle) { return kPi * triangle.area(); }
+
+  Box bounds() const { return triangle.bounds(); }
+  Ray leaving(const std::array<double, 2>& place, const std::array<double, 2>& direction) const
+  {
+    const SurfacePoint point = surfacePoint(triangle, sampleTriangle(place));
+    return { point.clearPosition(), sampleHemisphere(point.normal, direction), id };
+  }
+
+  friend bool operator==(const AreaLight& a, const AreaLight& b)
+  {
+    return a.id == b.id && a.triangle == b.triangle;
+  }
+};
+
+/// pi times the radiance of what a side of a cell emits, W/m2/sr, alike in all directions: one
+/// value per band; null: nothing.
+inline const double* emittedFrom(const SceneObject& object, std::size_t cell, bool isFront)
+{
+  return isFront ? object.exitanceOf(cell) : nullptr;
+}
 
 /// A place from which a light shines: a point of its surface, or the light itself in the air.
 struct LightPlace
@@ -34,11 +69,10 @@ struct LightPlace
   /// rounding would tell the side; what lies in the plane of a light gets nothing of it.
   double perSteradian(const SurfacePoint& to) const
   {
-    const auto isClear = [&] {
-      return isInFront(to.position) &&
-        std::abs(to.normal.dot(to.position - point.position)) > 4 * to.clearance;
-    };
-    return inAir ? 1 : isClear() ? AreaLight::kPerSteradian : 0;
+    const bool isClear = inAir ||
+      (isInFront(to.position) &&
+        std::abs(to.normal.dot(to.position - point.position)) > 4 * to.clearance);
+    return inAir ? 1 : isClear ? AreaLight::kPerSteradian : 0;
   }
   /// Whether light may leave towards a place, which rounding does not tell.
   bool isInFront(const Vector3& to) const

@@ -52,7 +52,12 @@ void LightTable::setQuantaPerWalk(std::int64_t quanta)
   powers_.clear();
   for (const Light& light : lights_)
   {
-    powers_.push_back(powerOf(light));
+    Power& power = powers_.emplace_back();
+    for (std::size_t band = 0; band < light.flux.size(); ++band)
+    {
+      const double share = light.flux[band] / light.totalFlux();
+      power.quanta[band] = nearestQuanta(static_cast<double>(quanta) * share);
+    }
   }
 }
 
@@ -85,7 +90,8 @@ void LightTable::addPoints(
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
     Light light({ number, sources[i].cell },
-      PointLight(object.worldFromObject(sources[i].position), walls.at(number, i)));
+      PointLight(object.worldFromObject(sources[i].position),
+        walls.empty() ? std::vector<Wall>() : walls[number][i]));
     std::copy(sources[i].flux.begin(), sources[i].flux.end(), light.flux.begin());
     if (object.emission->groupOf(light.cell.cell) == group)
     {
@@ -105,17 +111,6 @@ void LightTable::add(const Light& light)
       boundsInAir_.add(light.bounds());
     }
   }
-}
-
-Power LightTable::powerOf(const Light& light) const
-{
-  Power power;
-  for (int band = 0; band < Power::kMaxBands; ++band)
-  {
-    const double share = light.flux[static_cast<std::size_t>(band)] / light.totalFlux();
-    power[band] = nearestQuanta(static_cast<double>(quantaPerWalk_) * share);
-  }
-  return power;
 }
 
 Bands LightTable::largestStart() const

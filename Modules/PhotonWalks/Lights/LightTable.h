@@ -61,7 +61,6 @@ private:
   void addPoints(const SceneObjects& objects, std::uint32_t object, const LightWalls& walls,
     std::uint32_t group);
   void add(const Light& light);
-  Power powerOf(const Light& light) const;
 
   std::vector<Light> lights_;
   std::vector<double> cumulative_; ///< W, up to and including each light

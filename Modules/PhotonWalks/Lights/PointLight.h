@@ -3,13 +3,29 @@
 #define irradiance_PointLight_h
 
 #include "Geometry/Ray.h"
-#include "Lights/LightWalls.h"
+#include "Surfaces/ObjectSides.h"
 
 #include <array>
 #include <vector>
 
 namespace irradiance
 {
+
+/// A wall in whose plane a point lies.
+struct Wall
+{
+  Vector3 normal;   ///< unit vector to the side where light can be
+  double distance;  ///< from the plane to the point, along the normal
+  double clearance; ///< distance from the plane at which light starts, as in SurfacePoint
+};
+
+/// The walls at each point source of each object; empty: there are none.
+using LightWalls = std::vector<std::vector<std::vector<Wall>>>;
+
+/// The walls in whose plane the point sources of a frame lie, except walls that let them shine to
+/// both sides.
+LightWalls lightWallsOf(
+  const SceneObjects& objects, ObjectSides& sides, const CancelPoint& cancelPoint);
 
 /// An isotropic point light, in world space. In the plane of walls it shines to their open side
 /// alone: what would go behind a wall is mirrored at it.

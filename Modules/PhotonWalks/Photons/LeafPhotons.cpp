@@ -27,25 +27,6 @@ std::size_t LeafPhotons::Tree::size() const
     [](std::size_t sum, const PhotonTree& leaf) { return sum + leaf.size(); });
 }
 
-void LeafPhotons::Tree::empty()
-{
-  for (PhotonTree& leaf : leaves)
-  {
-    leaf.empty();
-  }
-}
-
-void LeafPhotons::Tree::giveBackMemory()
-{
-  for (PhotonTree& leaf : leaves)
-  {
-    if (leaf.size() == 0)
-    {
-      leaf = PhotonTree();
-    }
-  }
-}
-
 /**
  * Binds photons in two passes. In the first, units of walks or of changes find the leaves of their
  * photons, and sort these by parts of the trees; in the second, parts take their photons from all
@@ -54,12 +35,6 @@ void LeafPhotons::Tree::giveBackMemory()
 class LeafPhotons::Binding
 {
 public:
-  enum class What
-  {
-    Arrive,
-    Leave
-  };
-
   explicit Binding(std::vector<Tree>& trees)
     : trees_(trees)
   {
@@ -78,7 +53,7 @@ public:
     constexpr std::size_t kPerUnit = 4; // blocks
     for (std::size_t begin = first; begin < end; begin += kPerUnit)
     {
-      addUnit(What::Arrive, [=, &history](List& list) {
+      const auto addPhotons = [=, &history](List& list) {
         for (std::size_t block = begin; block < std::min(begin + kPerUnit, end); ++block)
         {
           history.forEachPhoton(block, [&](const Photon& photon) {
@@ -88,17 +63,18 @@ public:
             }
           });
         }
-      });
+      };
+      units_.push_back({ false, addPhotons, {} });
     }
   }
 
   template <class Chosen>
-  void addPhotons(What what, const std::vector<Photon>& photons, const Chosen& chosen)
+  void addPhotons(bool areGone, const std::vector<Photon>& photons, const Chosen& chosen)
   {
     constexpr std::size_t kPerUnit = 8192; // photons
     for (std::size_t begin = 0; begin < photons.size(); begin += kPerUnit)
     {
-      addUnit(what, [=, &photons](List& list) {
+      const auto addPhotons = [=, &photons](List& list) {
         list.reserve(kPerUnit);
         for (std::size_t i = begin; i < std::min(begin + kPerUnit, photons.size()); ++i)
         {
@@ -107,25 +83,16 @@ public:
             list.push_back(bound(photons[i]));
           }
         }
-      });
+      };
+      units_.push_back({ areGone, addPhotons, {} });
     }
   }
 
   void run(Execution& execution)
   {
     ProgressSpan finding(execution, 0, 0.5), changing(execution, 0.5, 1);
-    SlicedPass find{ units_.size(), {} };
-    find.work = [&](std::size_t unit, const Deadline&) {
-      sort(units_[unit]);
-      return true;
-    };
-    find.run(finding);
-    SlicedPass change{ kParts, {} };
-    change.work = [&](std::size_t part, const Deadline&) {
-      changePart(part);
-      return true;
-    };
-    change.run(changing);
+    forEachSliced(units_.size(), finding, [&](std::size_t unit) { sort(units_[unit]); });
+    forEachSliced(kParts, changing, [&](std::size_t part) { changePart(part); });
   }
 
 private:
@@ -139,18 +106,11 @@ private:
   using List = std::vector<Bound>;
   struct Unit
   {
-    What what;
+    bool areGone; ///< the photons leave, else they arrive
     std::function<void(List&)> addPhotons;
     List photons;                                  ///< by parts
     std::array<std::uint32_t, kParts + 1> begin{}; ///< of each part
   };
-
-  void addUnit(What what, std::function<void(List&)> addPhotons)
-  {
-    units_.push_back({ what, std::move(addPhotons), {} });
-  }
-
-  std::size_t partOf(const Bound& bound) const { return bound.leaf * kParts / leaves_; }
 
   Bound bound(const Photon& photon) const
   {
@@ -169,7 +129,7 @@ private:
     parts.reserve(list.size());
     for (const Bound& bound : list)
     {
-      parts.push_back(static_cast<std::uint16_t>(partOf(bound)));
+      parts.push_back(static_cast<std::uint16_t>(bound.leaf * kParts / leaves_));
       ++unit.begin[parts.back() + std::size_t{ 1 }];
     }
     std::partial_sum(unit.begin.begin(), unit.begin.end(), unit.begin.begin());
@@ -185,13 +145,13 @@ private:
   struct Step
   {
     std::size_t leaf;
-    What what;
+    bool isGone;
     const LeafPhoton* photon;
 
     bool operator<(const Step& other) const { return leaf < other.leaf; }
   };
 
-  std::vector<Step> stepsOf(std::size_t part) const
+  void changePart(std::size_t part)
   {
     std::size_t size = 0;
     for (const Unit& unit : units_)
@@ -204,20 +164,14 @@ private:
     {
       for (std::uint32_t i = unit.begin[part]; i < unit.begin[part + 1]; ++i)
       {
-        steps.push_back({ unit.photons[i].leaf, unit.what, &unit.photons[i].photon });
+        steps.push_back({ unit.photons[i].leaf, unit.areGone, &unit.photons[i].photon });
       }
     }
     std::sort(steps.begin(), steps.end());
-    return steps;
-  }
-
-  void changePart(std::size_t part)
-  {
-    const std::vector<Step> steps = stepsOf(part);
     std::vector<LeafPhoton> gone, arrived;
     for (std::size_t i = 0; i < steps.size(); ++i)
     {
-      (steps[i].what == What::Leave ? gone : arrived).push_back(*steps[i].photon);
+      (steps[i].isGone ? gone : arrived).push_back(*steps[i].photon);
       if (i + 1 == steps.size() || steps[i].leaf < steps[i + 1].leaf)
       {
         if (!leafAt(steps[i].leaf).change(gone, arrived))
@@ -251,22 +205,6 @@ LeafPhotons::LeafPhotons(const SceneObjects& objects)
   }
 }
 
-namespace
-{
-
-/// By object.
-std::vector<std::size_t> countsOf(const std::vector<Photon>& photons, std::size_t objects)
-{
-  std::vector<std::size_t> counts(objects);
-  for (const Photon& photon : photons)
-  {
-    ++counts[photon.id.object];
-  }
-  return counts;
-}
-
-}
-
 void LeafPhotons::add(
   const WalkHistory& history, std::size_t first, std::size_t end, Execution& execution)
 {
@@ -278,7 +216,11 @@ void LeafPhotons::add(
 void LeafPhotons::apply(const SceneObjects& objects, const WalkHistories& histories,
   const PhotonChanges& changes, Execution& execution)
 {
-  const std::vector<std::size_t> gone = countsOf(changes.gone, objects.size());
+  std::vector<std::size_t> gone(objects.size());
+  for (const Photon& photon : changes.gone)
+  {
+    ++gone[photon.id.object];
+  }
   std::vector<bool> isAnew, isEmptied;
   for (std::uint32_t i = 0; i < objects.size(); ++i)
   {
@@ -291,7 +233,8 @@ void LeafPhotons::apply(const SceneObjects& objects, const WalkHistories& histor
     }
     else if (isEmptied[i])
     {
-      trees_[i].empty();
+      std::for_each(
+        trees_[i].leaves.begin(), trees_[i].leaves.end(), std::mem_fn(&PhotonTree::empty));
     }
   }
   const auto isNew = [&](std::uint32_t object) { return isAnew[object]; };
@@ -305,14 +248,17 @@ void LeafPhotons::apply(const SceneObjects& objects, const WalkHistories& histor
       binding.addBlocks(*history, 0, history->size(), isNew);
     }
   }
-  binding.addPhotons(Binding::What::Leave, changes.gone, isLeft);
-  binding.addPhotons(Binding::What::Arrive, changes.arrived, isOld);
+  binding.addPhotons(true, changes.gone, isLeft);
+  binding.addPhotons(false, changes.arrived, isOld);
   binding.run(execution);
   for (std::uint32_t i = 0; i < objects.size(); ++i)
   {
-    if (isEmptied[i])
+    for (PhotonTree& leaf : trees_[i].leaves)
     {
-      trees_[i].giveBackMemory();
+      if (isEmptied[i] && leaf.size() == 0)
+      {
+        leaf = PhotonTree(); // gives its memory back
+      }
     }
   }
 }

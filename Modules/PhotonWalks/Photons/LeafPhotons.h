@@ -3,7 +3,7 @@
 #define irradiance_LeafPhotons_h
 
 #include "Execution/Execution.h"
-#include "History/WalkHistories.h"
+#include "History/WalkHistory.h"
 #include "Photons/PhotonTree.h"
 #include "Surfaces/SceneObjects.h"
 
@@ -38,7 +38,6 @@ public:
     const PhotonChanges& changes, Execution& execution);
 
   const TriangleTree& tree(std::uint32_t object) const { return trees_[object].body->tree(); }
-  const LeafTable& table(std::uint32_t object) const { return trees_[object].table; }
   /// `leaf`: the number of its first block.
   const PhotonTree& leaf(std::uint32_t object, std::uint32_t leaf) const
   {
@@ -57,10 +56,6 @@ private:
     Tree() = default;
     explicit Tree(std::shared_ptr<const RigidObject> itsBody);
     std::size_t size() const; ///< photons
-    /// Keeps the memory for those that arrive next.
-    void empty();
-    /// Of leaves without photons.
-    void giveBackMemory();
 
     std::shared_ptr<const RigidObject> body;
     LeafTable table;

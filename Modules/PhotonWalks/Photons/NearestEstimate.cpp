@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Photons/NearestEstimate.h"
 
-#include "Geometry/Pi.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>

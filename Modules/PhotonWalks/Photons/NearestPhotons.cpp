@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 namespace irradiance
 {
@@ -81,16 +82,15 @@ private:
     std::uint32_t object;
     LocalSensor sensor;
     SeenSurface surface;
-    float least;
 
     /// Of what lies this far away in the unit frame; less by the blur.
     float lowerBound(float squaredUnitDistance) const
     {
-      return least * std::sqrt(squaredUnitDistance) - sensor.blur;
+      return sensor.least * std::sqrt(squaredUnitDistance) - sensor.blur;
     }
     float squaredUnitLimit(float limit) const
     {
-      const float unit = (limit + sensor.blur) / least;
+      const float unit = (limit + sensor.blur) / sensor.least;
       return unit * unit * kWider;
     }
   };
@@ -110,25 +110,11 @@ private:
     }
   };
 
-  /// Which side of a triangle counts.
-  struct Known
-  {
-    TriangleId id;
-    int side = 0;
-  };
-
   /// A photon whose distance is between two bounds.
   struct Candidate
   {
     float lower, upper;
     SegmentRef photon;
-
-    Candidate(float distance, float blur, const SegmentRef& reference)
-      : lower(distance - blur)
-      , upper(distance + blur)
-      , photon(reference)
-    {
-    }
   };
 
   void push(const Node& node)
@@ -140,8 +126,7 @@ private:
   /// Returns the object's view.
   std::uint32_t see(std::uint32_t object)
   {
-    const PlacedTree& tree = owner_.trees_[object];
-    views_.push_back({ object, tree.see(sensor_), owner_.seen(object, foot_), tree.least() });
+    views_.push_back({ object, owner_.trees_[object].see(sensor_), owner_.seen(object, foot_) });
     return static_cast<std::uint32_t>(views_.size() - 1);
   }
 
@@ -194,7 +179,8 @@ private:
       const unsigned lane = near[i];
       if (counts(view, pack.triangle(lane), pack.isFront(lane)))
       {
-        candidates_.emplace_back(distances[lane], view.sensor.blur, pack.reference(lane));
+        candidates_.push_back({ distances[lane] - view.sensor.blur,
+          distances[lane] + view.sensor.blur, pack.reference(lane) });
       }
     }
     if (candidates_.size() >= enough_)
@@ -224,13 +210,14 @@ private:
   bool counts(const View& view, std::uint32_t triangle, bool isFront)
   {
     // Photons of few triangles are near.
-    Known& known = sides_[triangle % sides_.size()];
+    auto& [known, side] = sides_[triangle % sides_.size()];
     const TriangleId id{ view.object, triangle };
-    if (known.id != id)
+    if (known != id)
     {
-      known = { id, view.surface.side(triangle) };
+      known = id;
+      side = view.surface.side(triangle);
     }
-    return known.side == (isFront ? 1 : -1);
+    return side == (isFront ? 1 : -1);
   }
 
   /// Drops candidates that are certainly not among the nearest.
@@ -260,29 +247,22 @@ private:
     {
       found.photons.push_back(c->photon);
     }
-    struct Exact
-    {
-      double squaredDistance;
-      SegmentRef photon;
-    };
-    std::vector<Exact> exact;
+    std::vector<std::pair<double, SegmentRef>> exact; // distances squared
     for (auto c = certain; c != candidates_.end(); ++c)
     {
       const double squared = owner_.squaredDistance(sensor_, c->photon);
       if (squared <= maximumRadius_ * maximumRadius_)
       {
-        exact.push_back({ squared, c->photon });
+        exact.emplace_back(squared, c->photon);
       }
     }
-    std::sort(exact.begin(), exact.end(), [](const Exact& a, const Exact& b) {
-      return std::tie(a.squaredDistance, a.photon) < std::tie(b.squaredDistance, b.photon);
-    });
+    std::sort(exact.begin(), exact.end());
     for (std::size_t i = 0; i < exact.size() && found.photons.size() < count_; ++i)
     {
-      found.photons.push_back(exact[i].photon);
+      found.photons.push_back(exact[i].second);
       if (found.photons.size() == count_)
       {
-        found.radius = std::sqrt(exact[i].squaredDistance);
+        found.radius = std::sqrt(exact[i].first);
         found.areAll = false;
       }
     }
@@ -313,7 +293,7 @@ private:
   std::vector<View> views_;
   std::vector<Node> nodes_; ///< a heap
   std::vector<Candidate> candidates_;
-  std::array<Known, 64> sides_; ///< those asked for last
+  std::array<std::pair<TriangleId, int>, 64> sides_; ///< which count, of triangles asked for last
 };
 
 NearestPhotons::NearestPhotons(const LeafPhotons& leaves, const Surfaces& surfaces,
@@ -339,7 +319,7 @@ NearestPhotons::NearestPhotons(const LeafPhotons& leaves, const Surfaces& surfac
 std::optional<Foot> NearestPhotons::footOf(const Sensor& sensor, double maximumDistance) const
 {
   return isTooFar(sensor) ? std::nullopt
-                          : FootSearch(objects_, surfaces_, trees_, sensor).find(maximumDistance);
+                          : findFoot(objects_, surfaces_, trees_, sensor, maximumDistance);
 }
 
 NearPhotons NearestPhotons::find(const Foot& foot, std::size_t count, double maximumRadius) const

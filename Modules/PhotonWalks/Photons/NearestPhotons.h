@@ -2,11 +2,9 @@
 #ifndef irradiance_NearestPhotons_h
 #define irradiance_NearestPhotons_h
 
-#include "Photons/FootSearch.h"
+#include "Photons/Foot.h"
 #include "Photons/LeafPhotons.h"
-#include "Photons/PlacedTree.h"
 #include "Photons/SeenSurface.h"
-#include "Photons/Surfaces.h"
 
 #include <optional>
 #include <vector>
@@ -57,13 +55,9 @@ public:
   double squaredDistance(const Sensor& sensor, const SegmentRef& photon) const
   {
     const Hit hit = histories_.hit(photon);
-    return sensor.squaredDistance(position(hit.id, hit.weights));
-  }
-  /// Of a photon, in the world.
-  Vector3 position(const TriangleId& id, const std::array<float, 2>& weights) const
-  {
-    const SceneObject& object = objects_[id.object];
-    return object.worldFromObject(modelPoint(object.body->mesh(), id.triangle, weights));
+    const SceneObject& object = objects_[hit.id.object];
+    return sensor.squaredDistance(
+      object.worldFromObject(modelPoint(object.body->mesh(), hit.id.triangle, hit.weights)));
   }
 
   const SceneObjects& objects() const { return objects_; }

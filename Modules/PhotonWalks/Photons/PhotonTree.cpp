@@ -15,34 +15,29 @@ constexpr std::size_t kUsual = 12;
 /// So few are not cut, as they often all leave: a leaf of small triangles.
 constexpr std::size_t kFew = 3 * kUsual;
 
-/// The axis along which photons spread most.
-struct Extent
+/// The axis along which photons spread most, and how far.
+template <class Iterator>
+std::pair<std::size_t, float> widestAxis(Iterator begin, Iterator end)
 {
-  std::size_t axis = 0;
-  float width = 0;
-
-  template <class Iterator>
-  Extent(Iterator begin, Iterator end)
+  UnitPoint lower = begin->position, upper = lower;
+  for (; begin != end; ++begin)
   {
-    UnitPoint lower = begin->position, upper = lower;
-    for (; begin != end; ++begin)
-    {
-      for (std::size_t i = 0; i < 3; ++i)
-      {
-        lower[i] = std::min(lower[i], begin->position[i]);
-        upper[i] = std::max(upper[i], begin->position[i]);
-      }
-    }
     for (std::size_t i = 0; i < 3; ++i)
     {
-      if (upper[i] - lower[i] > width)
-      {
-        width = upper[i] - lower[i];
-        axis = i;
-      }
+      lower[i] = std::min(lower[i], begin->position[i]);
+      upper[i] = std::max(upper[i], begin->position[i]);
     }
   }
-};
+  std::pair<std::size_t, float> widest{};
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    if (upper[i] - lower[i] > widest.second)
+    {
+      widest = { i, upper[i] - lower[i] };
+    }
+  }
+  return widest;
+}
 
 /// Appends `count` entries. Doubling might waste half of the memory.
 template <class Entry>
@@ -88,7 +83,7 @@ void PhotonTree::addTo(Photons& photons, const Node& end) const
 {
   for (std::size_t i = 0; i < end.packs(); ++i)
   {
-    const PhotonPack& pack = packs_[end.firstPack() + i];
+    const PhotonPack& pack = packs_[end.first() + i];
     for (unsigned lane = 0; lane < PhotonPack::kSize; ++lane)
     {
       if (pack.isUsed(lane))
@@ -104,7 +99,7 @@ PhotonTree::Place PhotonTree::endOf(const LeafPhoton& photon, Place place) const
   for (; !nodes_[place.node].isEnd(); ++place.depth)
   {
     const Node& node = nodes_[place.node];
-    place.node = node.left() + (photon.position[node.axis()] < node.plane() ? 0 : 1);
+    place.node = node.first() + (photon.position[node.axis()] < node.value ? 0 : 1);
   }
   return place;
 }
@@ -127,15 +122,15 @@ std::vector<PhotonTree::Place> PhotonTree::endsOf(
         const Node& node = nodes_[ends[i].node];
         if (!node.isEnd())
         {
-          const bool isRight = photons[i].position[node.axis()] >= node.plane();
-          ends[i] = { node.left() + (isRight ? 1 : 0), ends[i].depth + 1 };
+          const bool isRight = photons[i].position[node.axis()] >= node.value;
+          ends[i] = { node.first() + (isRight ? 1 : 0), ends[i].depth + 1 };
           ++open;
         }
       }
     }
     for (std::size_t i = begin; i < end; ++i)
     {
-      prefetch(packs_[nodes_[ends[i].node].firstPack()]);
+      prefetch(packs_[nodes_[ends[i].node].first()]);
     }
   }
   return ends;
@@ -196,30 +191,27 @@ int PhotonTree::insert(const Photons& photons)
   for (std::size_t i = 0; i < photons.size(); ++i)
   {
     // Others may have cut it since.
-    const Place end = endOf(photons[i], ends[i]);
-    insertAt(end, photons[i]);
-    deepest = std::max(deepest, end.depth + 1);
-  }
-  return deepest;
-}
-
-void PhotonTree::insertAt(const Place& place, const LeafPhoton& photon)
-{
-  const Node end = nodes_[place.node];
-  ++size_;
-  for (std::size_t i = 0; i < end.packs(); ++i)
-  {
-    if (packs_[end.firstPack() + i].add(photon))
+    const Place place = endOf(photons[i], ends[i]);
+    deepest = std::max(deepest, place.depth + 1);
+    const Node end = nodes_[place.node];
+    std::size_t pack = end.first();
+    const std::size_t behind = pack + end.packs();
+    while (pack < behind && !packs_[pack].add(photons[i]))
     {
-      return;
+      ++pack;
+    }
+    if (pack == behind)
+    {
+      Photons crowd;
+      crowd.reserve(end.packs() * PhotonPack::kSize + 1);
+      addTo(crowd, end);
+      crowd.push_back(photons[i]);
+      std::size_t spare = end.first();
+      build(place.node, crowd.begin(), crowd.end(), spare);
     }
   }
-  Photons crowd;
-  crowd.reserve(end.packs() * PhotonPack::kSize + 1);
-  addTo(crowd, end);
-  crowd.push_back(photon);
-  std::size_t spare = end.firstPack();
-  build(place.node, crowd.begin(), crowd.end(), spare);
+  size_ += photons.size();
+  return deepest;
 }
 
 bool PhotonTree::remove(const Photons& photons)
@@ -228,26 +220,20 @@ bool PhotonTree::remove(const Photons& photons)
     endsOf(photons, [](const PhotonPack& pack) { pack.prefetchForRemoval(); });
   for (std::size_t i = 0; i < photons.size(); ++i)
   {
-    if (!removeAt(ends[i], photons[i]))
+    const Node& end = nodes_[ends[i].node];
+    std::size_t pack = end.first();
+    const std::size_t behind = pack + end.packs();
+    while (pack < behind && !packs_[pack].remove(photons[i].reference()))
+    {
+      ++pack;
+    }
+    if (pack == behind)
     {
       return false;
     }
+    --size_;
   }
   return true;
-}
-
-bool PhotonTree::removeAt(const Place& place, const LeafPhoton& photon)
-{
-  const Node& end = nodes_[place.node];
-  for (std::size_t i = 0; i < end.packs(); ++i)
-  {
-    if (packs_[end.firstPack() + i].remove(photon.reference()))
-    {
-      --size_;
-      return true;
-    }
-  }
-  return false;
 }
 
 bool PhotonTree::isWasteful() const
@@ -279,13 +265,13 @@ void PhotonTree::build(
   std::size_t node, Photons::iterator begin, Photons::iterator end, std::size_t& spare)
 {
   const auto size = static_cast<std::size_t>(end - begin);
-  const Extent extent(begin, end);
-  if (size <= PhotonPack::kSize || extent.width == 0)
+  const auto [axis, width] = widestAxis(begin, end);
+  if (size <= PhotonPack::kSize || width == 0)
   {
     return makeEnd(node, begin, size, spare);
   }
-  const std::size_t axis = extent.axis, packs = (size + kUsual - 1) / kUsual;
-  const auto byPlace = [axis](const LeafPhoton& a, const LeafPhoton& b) {
+  const std::size_t packs = (size + kUsual - 1) / kUsual;
+  const auto byPlace = [axis = axis](const LeafPhoton& a, const LeafPhoton& b) {
     return a.position[axis] < b.position[axis];
   };
   auto middle = begin + static_cast<std::ptrdiff_t>(size * (packs / 2) / packs);
@@ -302,7 +288,7 @@ void PhotonTree::build(
   }
   const std::size_t left = nodes_.size();
   append(nodes_, 2);
-  nodes_[node] = Node::inner(plane, axis, left);
+  nodes_[node] = { plane, static_cast<std::uint32_t>(left << 2 | axis) };
   build(left, begin, middle, spare);
   build(left + 1, middle, end, spare);
 }
@@ -324,7 +310,7 @@ void PhotonTree::makeEnd(
     {
     }
   }
-  nodes_[node] = Node::end(first, packs);
+  nodes_[node] = { static_cast<float>(packs), static_cast<std::uint32_t>(first << 2 | Node::kEnd) };
 }
 
 }

@@ -2,14 +2,114 @@
 #ifndef irradiance_PhotonTree_h
 #define irradiance_PhotonTree_h
 
-#include "Photons/PhotonPack.h"
+#include "History/WalkHistory.h"
+#include "Simd/Prefetch.h"
+#include "Trees/LeafQuery.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace irradiance
 {
+
+/// A photon as a leaf of a tree keeps it.
+struct LeafPhoton
+{
+  UnitPoint position; ///< in the unit frame of the tree
+  std::uint32_t walk;
+  std::uint32_t bounceAndSide; ///< twice the bounce, and 1 more if it arrived on the back
+  std::uint32_t triangle;
+
+  LeafPhoton() = default;
+  LeafPhoton(const UnitPoint& at, const SegmentRef& photon, bool isFront, std::uint32_t hit)
+    : position(at)
+    , walk(photon.walk)
+    , bounceAndSide(2 * photon.bounce + (isFront ? 0 : 1))
+    , triangle(hit)
+  {
+  }
+  SegmentRef reference() const { return { walk, bounceAndSide >> 1 }; }
+  bool isFront() const { return (bounceAndSide & 1) == 0; }
+};
+
+/// Up to 16 photons near each other, as columns that a search reads side by side.
+class alignas(64) PhotonPack
+{
+public:
+  static constexpr unsigned kSize = 16;
+
+  PhotonPack() { std::fill_n(&position_[0][0], 3 * kSize, kNone); }
+
+  /// NaN in unused lanes, which so pass no test.
+  const float* coordinates(unsigned axis) const { return position_[axis]; }
+  bool isUsed(unsigned lane) const { return position_[0][lane] == position_[0][lane]; }
+  SegmentRef reference(unsigned lane) const { return { walk_[lane], bounceAndSide_[lane] >> 1 }; }
+  bool isFront(unsigned lane) const { return (bounceAndSide_[lane] & 1) == 0; }
+  std::uint32_t triangle(unsigned lane) const { return triangle_[lane]; }
+  LeafPhoton operator[](unsigned lane) const
+  {
+    return { { position_[0][lane], position_[1][lane], position_[2][lane] }, reference(lane),
+      isFront(lane), triangle_[lane] };
+  }
+
+  /// False if there is no room.
+  bool add(const LeafPhoton& photon)
+  {
+    for (unsigned lane = 0; lane < kSize; ++lane)
+    {
+      if (!isUsed(lane))
+      {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          position_[axis][lane] = photon.position[axis];
+        }
+        walk_[lane] = photon.walk;
+        bounceAndSide_[lane] = photon.bounceAndSide;
+        triangle_[lane] = photon.triangle;
+        return true;
+      }
+    }
+    return false;
+  }
+  /// False if it is not here.
+  bool remove(const SegmentRef& photon)
+  {
+    for (unsigned lane = 0; lane < kSize; ++lane)
+    {
+      if (walk_[lane] == photon.walk && bounceAndSide_[lane] >> 1 == photon.bounce && isUsed(lane))
+      {
+        position_[0][lane] = kNone;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void prefetch() const
+  {
+    prefetchForRemoval();
+    prefetchLine(position_[1]);
+    prefetchLine(position_[2]);
+    prefetchLine(triangle_);
+  }
+  void prefetchForRemoval() const
+  {
+    prefetchLine(position_[0]);
+    prefetchLine(walk_);
+    prefetchLine(bounceAndSide_);
+  }
+
+private:
+  static constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+
+  float position_[3][kSize];
+  std::uint32_t walk_[kSize];
+  std::uint32_t bounceAndSide_[kSize];
+  std::uint32_t triangle_[kSize];
+};
 
 /**
  * The photons of one leaf of a triangle tree, in a kd-tree of their own whose ends are packs. A
@@ -38,45 +138,67 @@ public:
   /// nearby first. squaredLimit() is that distance, squared, in the unit frame; it may shrink from
   /// one pack to the next. Rounding errors are up to the caller: 2^-22 of the squares.
   template <class Limit, class Visit>
-  void visitNear(const UnitPoint& point, const Limit& squaredLimit, const Visit& visit) const;
+  void visitNear(const UnitPoint& point, const Limit& squaredLimit, const Visit& visit) const
+  {
+    if (size_ == 0)
+    {
+      return;
+    }
+    struct Pending
+    {
+      std::size_t node;
+      std::array<float, 3> outside; ///< how far the point lies outside of the node's cell
+
+      float squaredDistance() const
+      {
+        return outside[0] * outside[0] + outside[1] * outside[1] + outside[2] * outside[2];
+      }
+    };
+    std::array<Pending, kDeepest + 1> pending;
+    std::size_t count = 0;
+    pending[count++] = { 0, {} };
+    while (count > 0)
+    {
+      Pending at = pending[--count];
+      if (at.squaredDistance() > squaredLimit())
+      {
+        continue;
+      }
+      while (!nodes_[at.node].isEnd())
+      {
+        const Node& node = nodes_[at.node];
+        const float beyond = point[node.axis()] - node.value;
+        const std::size_t isRight = beyond < 0 ? 0 : 1;
+        Pending& far = pending[count++] = at;
+        far.node = node.first() + 1 - isRight;
+        far.outside[node.axis()] = beyond;
+        at.node = node.first() + isRight;
+      }
+      const Node& end = nodes_[at.node];
+      for (std::size_t i = 0; i < end.packs(); ++i)
+      {
+        visit(packs_[end.first() + i]);
+      }
+    }
+  }
 
 private:
   static constexpr int kDeepest = 64; ///< planes in a row
   static constexpr std::size_t kNoPack = ~std::size_t{};
 
-  /// A plane with the nodes on its two sides; or an end with its packs, which are several only if
-  /// all photons were in one place, or they are few.
-  class Node
+  /// A plane with the nodes on its two sides, the right one behind the left one; or an end with its
+  /// packs, which are several only if all photons were in one place, or they are few.
+  struct Node
   {
-  public:
-    Node() = default;
-    static Node inner(float plane, std::size_t axis, std::size_t left)
-    {
-      return { plane, left << 2 | axis };
-    }
-    static Node end(std::size_t firstPack, std::size_t packs)
-    {
-      return { static_cast<float>(packs), firstPack << 2 | kEnd };
-    }
-    bool isEnd() const { return (link_ & kEnd) == kEnd; }
-    std::size_t axis() const { return link_ & kEnd; }
-    float plane() const { return value_; }
-    /// The one behind it is the right one.
-    std::size_t left() const { return link_ >> 2; }
-    std::size_t firstPack() const { return link_ >> 2; }
-    std::size_t packs() const { return static_cast<std::size_t>(value_); }
-
-  private:
     static constexpr std::uint32_t kEnd = 3;
 
-    Node(float value, std::size_t link)
-      : value_(value)
-      , link_(static_cast<std::uint32_t>(link))
-    {
-    }
+    float value = 0;           ///< where the plane is; at an end the number of packs
+    std::uint32_t link = kEnd; ///< the axis, or kEnd; above two bits the left node, or first pack
 
-    float value_ = 0;
-    std::uint32_t link_ = kEnd;
+    bool isEnd() const { return (link & kEnd) == kEnd; }
+    std::size_t axis() const { return link & kEnd; }
+    std::size_t first() const { return link >> 2; }
+    std::size_t packs() const { return static_cast<std::size_t>(value); }
   };
   using Photons = std::vector<LeafPhoton>;
 
@@ -94,9 +216,7 @@ private:
   std::vector<Place> endsOf(const Photons& photons, const Prefetch& prefetch) const;
   /// Returns the number of planes above the deepest.
   int insert(const Photons& photons);
-  void insertAt(const Place& end, const LeafPhoton& photon);
   bool remove(const Photons& photons);
-  bool removeAt(const Place& end, const LeafPhoton& photon);
   Photons photonsExcept(const Photons& gone) const;
   void addTo(Photons& photons, const Node& end) const;
   bool isWasteful() const;
@@ -111,52 +231,6 @@ private:
   std::vector<PhotonPack> packs_;
   std::size_t size_ = 0;
 };
-
-template <class Limit, class Visit>
-void PhotonTree::visitNear(
-  const UnitPoint& point, const Limit& squaredLimit, const Visit& visit) const
-{
-  if (size_ == 0)
-  {
-    return;
-  }
-  struct Pending
-  {
-    std::size_t node;
-    std::array<float, 3> outside; ///< how far the point lies outside of the node's cell
-
-    float squaredDistance() const
-    {
-      return outside[0] * outside[0] + outside[1] * outside[1] + outside[2] * outside[2];
-    }
-  };
-  std::array<Pending, kDeepest + 1> pending;
-  std::size_t count = 0;
-  pending[count++] = { 0, {} };
-  while (count > 0)
-  {
-    Pending at = pending[--count];
-    if (at.squaredDistance() > squaredLimit())
-    {
-      continue;
-    }
-    while (!nodes_[at.node].isEnd())
-    {
-      const Node& node = nodes_[at.node];
-      const float beyond = point[node.axis()] - node.plane();
-      const std::size_t isRight = beyond < 0 ? 0 : 1;
-      Pending& far = pending[count++] = at;
-      far.node = node.left() + 1 - isRight;
-      far.outside[node.axis()] = beyond;
-      at.node = node.left() + isRight;
-    }
-    const Node& end = nodes_[at.node];
-    for (std::size_t i = 0; i < end.packs(); ++i)
-    {
-      visit(packs_[end.firstPack() + i]);
-    }
-  }
-}
 
 }
 

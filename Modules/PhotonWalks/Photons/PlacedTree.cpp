@@ -8,10 +8,9 @@
 namespace irradiance
 {
 
-CosineRange::CosineRange(const SurfaceNode& node, const Vector3& direction)
-  : least(0)
-  , most(1)
+Share facingShare(const SurfaceNode& node, const Vector3& direction)
 {
+  double least = 0, most = 1; // cosine
   if (node.cosine > 0)
   {
     const double cosine = std::abs(direction.dot(node.axis));
@@ -19,6 +18,11 @@ CosineRange::CosineRange(const SurfaceNode& node, const Vector3& direction)
     least = cosine * node.cosine - sine * node.sine;
     most = cosine >= node.cosine ? 1 : cosine * node.cosine + sine * node.sine;
   }
+  // Next to the limit rounding decides, which a look at single triangles does better.
+  constexpr double kRounding = 0x1p-20;
+  const bool mayFace = most >= Facing::kLeastCosine - kRounding;
+  const bool doFace = least >= Facing::kLeastCosine + kRounding;
+  return !mayFace ? Share::None : doFace ? Share::All : Share::Some;
 }
 
 PlacedTree::PlacedTree(const SceneObject& object, double searchUnitsPerWorldUnit)
@@ -67,7 +71,7 @@ LocalSensor PlacedTree::see(const Sensor& sensor) const
   const double blur = floats + 0x1p-48 * condition_ * reach;
   return { { static_cast<float>(unit[0]), static_cast<float>(unit[1]),
              static_cast<float>(unit[2]) },
-    (sensor.flattening() * stretch_).cast<float>(), static_cast<float>(blur) };
+    (sensor.flattening() * stretch_).cast<float>(), static_cast<float>(blur), least_ };
 }
 
 }

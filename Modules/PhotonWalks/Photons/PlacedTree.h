@@ -21,20 +21,19 @@ struct LocalSensor
   /// Distances to photons, computed in floats, are off by less than this, and so are those to the
   /// boxes of their leaves.
   float blur;
+  float least; ///< no vector of length 1 in the unit frame is shorter, flattened or not
 };
 
-/// Of the angles between a direction and the normals of a node's triangles, on whichever side.
-struct CosineRange
+/// How many triangles of a node have a property.
+enum class Share
 {
-  double least, most;
-
-  /// `direction`: in the unit frame.
-  CosineRange(const SurfaceNode& node, const Vector3& direction);
-
-  // Next to the limit rounding decides, which a look at single triangles does better.
-  bool mayFace() const { return most >= Facing::kLeastCosine - 0x1p-20; }
-  bool doFace() const { return least >= Facing::kLeastCosine + 0x1p-20; }
+  None,
+  Some, ///< or not known
+  All
 };
+
+/// Of the triangles that face a direction in the unit frame, on whichever side, see Facing.
+Share facingShare(const SurfaceNode& node, const Vector3& direction);
 
 /**
  * The tree of an object in its pose: distances in its unit frame and in the world. The latter are
@@ -54,10 +53,6 @@ public:
   }
   Facing facing(const Sensor& sensor) const { return { linear_, frame_.scale, sensor.normal }; }
 
-  /// No vector of length 1 in the unit frame is shorter than this in search units, flattened or
-  /// not.
-  float least() const { return least_; }
-
   /// Of the object in the world.
   double size() const { return size_; }
   bool isMirrored() const { return linear_.determinant() < 0; }
@@ -65,7 +60,6 @@ public:
   /// does; their unit frame is the frame of the object's SurfaceTree.
   bool keepsAngles() const { return worldUnitsPerUnit_ > 0; }
   double worldUnitsPerUnit() const { return worldUnitsPerUnit_; }
-  double worldAreaOfUnit() const { return worldUnitsPerUnit_ * worldUnitsPerUnit_; }
   Vector3 unitPoint(const Vector3& world) const
   {
     return surfaceFrame_(inverse_ * (world - worldFromObject_.translation));
@@ -74,7 +68,7 @@ public:
   /// False if no triangle of the node faces a direction in the world.
   bool mayFace(const SurfaceNode& node, const Vector3& world) const
   {
-    return !keepsAngles() || CosineRange(node, unitDirection(world)).mayFace();
+    return !keepsAngles() || facingShare(node, unitDirection(world)) != Share::None;
   }
   /// No point of the node is closer to a place, given in the unit frame, than this; world.
   double distanceAtLeast(const SurfaceNode& node, const Vector3& unit) const

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Photons/SeenSurface.h"
 
-#include "Meshes/ClosestPoint.h"
 #include "Meshes/TriangleInSphere.h"
 
 #include <algorithm>
@@ -99,7 +98,8 @@ double SeenSurface::areaOf(std::size_t number, double radius) const
   const Share share = shareOf(node, radius);
   if (share != Share::Some)
   {
-    return share == Share::All ? node.area * placed_.worldAreaOfUnit() : 0.0;
+    const double unit = placed_.worldUnitsPerUnit();
+    return share == Share::All ? node.area * (unit * unit) : 0.0;
   }
   if (!node.isLeaf())
   {
@@ -125,7 +125,7 @@ double SeenSurface::areaOfTriangle(std::uint32_t triangle, double radius) const
 }
 
 /// Where poses do not keep angles, nothing is known of nodes but how near they are.
-SeenSurface::Share SeenSurface::shareOf(const SurfaceNode& node, double radius) const
+Share SeenSurface::shareOf(const SurfaceNode& node, double radius) const
 {
   if (!placed_.keepsAngles())
   {
@@ -146,8 +146,7 @@ SeenSurface::Share SeenSurface::shareOf(const SurfaceNode& node, double radius) 
   return near == Share::All && same == Share::All ? Share::All : Share::Some;
 }
 
-SeenSurface::Share SeenSurface::within(
-  const SurfaceNode& node, const Vector3& away, double radius) const
+Share SeenSurface::within(const SurfaceNode& node, const Vector3& away, double radius) const
 {
   constexpr double kMore = Sensor::kFlattening * Sensor::kFlattening - 1;
   constexpr double kSlack = 0x1p-40;
@@ -165,12 +164,12 @@ SeenSurface::Share SeenSurface::within(
 }
 
 /// And inside of a body or outside, as the foot.
-SeenSurface::Share SeenSurface::facing(const SurfaceNode& node) const
+Share SeenSurface::facing(const SurfaceNode& node) const
 {
-  const CosineRange cosines(node, toLight_);
-  if (!cosines.mayFace() || !cosines.doFace())
+  const Share share = facingShare(node, toLight_);
+  if (share != Share::All)
   {
-    return cosines.mayFace() ? Share::Some : Share::None;
+    return share;
   }
   const SolidSide ours = toLight_.dot(node.axis) > 0 ? SolidSide::InFront : SolidSide::Behind;
   const bool hasInside = (node.solidSides & SurfaceNode::maskOf(ours)) != 0;
@@ -181,7 +180,7 @@ SeenSurface::Share SeenSurface::facing(const SurfaceNode& node) const
 }
 
 /// What isOtherSurface() says of all triangles, which face as the sensor does.
-SeenSurface::Share SeenSurface::onSameSurface(const SurfaceNode& node, const Vector3& away) const
+Share SeenSurface::onSameSurface(const SurfaceNode& node, const Vector3& away) const
 {
   const double distance = away.norm(), blur = blur_ / placed_.worldUnitsPerUnit();
   const double leastBlur = blur + kAslant * std::max(distance - node.radius, 0.0);

@@ -3,8 +3,6 @@
 #define irradiance_SeenSurface_h
 
 #include "Photons/Foot.h"
-#include "Photons/PlacedTree.h"
-#include "Trees/SurfaceTree.h"
 
 namespace irradiance
 {
@@ -32,13 +30,6 @@ public:
   double areaWithin(double radius) const;
 
 private:
-  enum class Share
-  {
-    None,
-    Some, ///< or not known
-    All
-  };
-
   bool isOtherSurface(const Vector3& normal, const Vector3& closest) const;
   double areaOf(std::size_t node, double radius) const;
   double areaOfTriangle(std::uint32_t triangle, double radius) const;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/StaleWalks.h"
 
+#include "Sampling/ElementaryFunctions.h"
+
 #include <algorithm>
-#include <cstring>
 #include <functional>
 #include <limits>
 #include <map>
@@ -19,10 +20,7 @@ constexpr std::uint32_t kAll = std::numeric_limits<std::uint32_t>::max(); // seg
 std::uint32_t powerClassOf(const Power& power)
 {
   const auto all = static_cast<float>(power[0] + power[1] + power[2]);
-  std::uint32_t bits = 0;
-  static_assert(sizeof(bits) == sizeof(all), "exponent and mantissa are read from the bits");
-  std::memcpy(&bits, &all, sizeof(bits));
-  return bits >> 21;
+  return bitCast<std::uint32_t>(all) >> 21;
 }
 
 }
@@ -31,8 +29,24 @@ StaleWalks::StaleWalks(
   const SceneObjects& objects, std::size_t blocks, const SobolSequence& samples)
   : blocks_(blocks)
   , sums_(objects)
-  , bound_(objects, samples)
+  , samples_(samples)
 {
+  for (std::uint32_t object = 0; object < objects.size(); ++object)
+  {
+    const Material& material = *objects[object].material;
+    const auto bands = static_cast<std::ptrdiff_t>(material.bands);
+    for (const std::uint32_t cell : material.cellOfTriangle)
+    {
+      const auto largest = [&](const std::vector<double>& reflectances) {
+        const auto first = reflectances.begin() + static_cast<std::ptrdiff_t>(cell) * bands;
+        return *std::max_element(first, first + bands);
+      };
+      // More than 1 in all if they are of different bands: then powers may grow.
+      reflectance_ = std::max(reflectance_,
+        largest(material.reflectance) +
+          (material.isSpecular() ? largest(material.specularReflectance) : 0));
+    }
+  }
 }
 
 bool StaleWalks::isEmpty() const
@@ -92,7 +106,7 @@ void StaleWalks::add(
     mark.walk = first.walk;
     mark.bounce = first.bounce & 0x1fffffu;
     mark.powerClass = powerClassOf(carried) & 0x7ffu;
-    mark.gain = bound_.isKnown() ? bound_(first.walk, first.bounce, carried) : 0;
+    mark.gain = gainOf(first.walk, first.bounce, carried);
     marks.push_back(mark);
     count(blocks_[block], history, marks.back(), 1);
     tally(history, marks.back(), end, 1, deposits);
@@ -101,11 +115,10 @@ void StaleWalks::add(
   sums_.add(deposits);
 }
 
-void StaleWalks::repair(
-  std::size_t block, const WalkHistory& history, StaleMark& mark, std::vector<Deposit>& deposits)
+void StaleWalks::repair(const WalkHistory& history, StaleMark& mark, std::vector<Deposit>& deposits)
 {
   tally(history, mark, kAll, -1, deposits);
-  count(blocks_[block], history, mark, -1);
+  count(blocks_[history.indexOf(mark.walk)], history, mark, -1);
   mark.powerClass = 0;
 }
 
@@ -125,17 +138,29 @@ void StaleWalks::forget(const WalkHistory& history, std::uint32_t walk)
     if (mark.walk == walk)
     {
       std::vector<Deposit> deposits;
-      repair(block, history, mark, deposits);
+      repair(history, mark, deposits);
       take(deposits);
     }
   }
   forgetRepaired(block);
 }
 
+std::int64_t StaleWalks::gainOf(
+  std::uint32_t walk, std::uint32_t bounce, const Power& incoming) const
+{
+  // No band ever carries more than the strongest does now.
+  std::int64_t received = isBoundKnown() ? incoming.largest() : 0;
+  while (isBoundKnown() && samples_.sample(walk, ++bounce, SampleUse::Survival)[0] < reflectance_)
+  {
+    received += incoming.largest();
+  }
+  return received;
+}
+
 void StaleWalks::countUnborn(std::uint32_t walk, const Power& power)
 {
   unbornPower_ += power;
-  const std::int64_t gain = bound_.isKnown() ? bound_(walk, 0, power) : 0;
+  const std::int64_t gain = gainOf(walk, 0, power);
   for (int band = 0; band < Power::kMaxBands; ++band)
   {
     unbornGain_[band] += power[band] > 0 ? gain : 0; // a band without power gains none
@@ -145,8 +170,19 @@ void StaleWalks::countUnborn(std::uint32_t walk, const Power& power)
 void StaleWalks::tally(const WalkHistory& history, const StaleMark& mark, std::uint32_t end,
   int sign, std::vector<Deposit>& deposits) const
 {
-  history.forEachContribution(history.placeOf(mark.first()), mark.first(), end,
-    [&](const Contribution& brought) { sums_.collect(brought, sign, deposits); });
+  const SegmentPlace first = history.placeOf(mark.first());
+  const BounceBlock& block = history.block(first.block);
+  std::uint32_t bounce = mark.bounce;
+  for (std::uint32_t slot = first.slot; slot != BounceBlock::kNone && bounce < end; ++bounce)
+  {
+    if (const std::uint32_t triangle = block.triangle(slot); triangle != BounceBlock::kNone)
+    {
+      const SceneCell cell = sums_.cellOf(history.numbers().idOf(triangle));
+      sums_.collect(
+        sums_.slotOf(mark.walk, cell), block.isFront(slot), block.power(slot), sign, deposits);
+    }
+    slot = block.next(slot);
+  }
 }
 
 void StaleWalks::count(Block& block, const WalkHistory& history, const StaleMark& mark, int sign)

@@ -3,14 +3,37 @@
 #define irradiance_StaleWalks_h
 
 #include "History/WalkHistory.h"
-#include "Repair/StaleMark.h"
-#include "Repair/TailBound.h"
+#include "Sampling/SobolSequence.h"
+#include "Surfaces/SceneObjects.h"
 #include "Tally/CellSums.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace irradiance
 {
+
+/// From this segment on a stored walk is no longer valid, and it has not been shot again yet. The
+/// ray of the segment and all before it are valid.
+struct StaleMark
+{
+  std::uint32_t walk;
+  std::uint32_t bounce : 21;     ///< a walk has at most 2^20 segments
+  std::uint32_t powerClass : 11; ///< what it carries: more if larger, 0: repaired
+  std::int64_t gain;             ///< see StaleWalks::gainBound()
+
+  SegmentRef first() const { return { walk, bounce }; }
+};
+
+/// The marks of a block, ordered by walk, at most one per walk.
+using StaleMarks = std::vector<StaleMark>;
+
+inline bool isStale(const StaleMarks& marks, const SegmentRef& segment)
+{
+  const auto found = std::lower_bound(marks.begin(), marks.end(), segment.walk,
+    [](const StaleMark& mark, std::uint32_t walk) { return mark.walk < walk; });
+  return found != marks.end() && found->walk == segment.walk && segment.bounce >= found->bounce;
+}
 
 /// Walks whose stale segments carry similar power.
 struct PowerClass
@@ -42,8 +65,7 @@ public:
   /// them. It must have skipped the tails that were marked before.
   void add(std::size_t block, const WalkHistory& history, const std::vector<SegmentRef>& found);
   /// Takes out a walk whose tail is about to be replaced; its mark stays until forgetRepaired().
-  void repair(
-    std::size_t block, const WalkHistory& history, StaleMark& mark, std::vector<Deposit>& deposits);
+  void repair(const WalkHistory& history, StaleMark& mark, std::vector<Deposit>& deposits);
   void forgetRepaired(std::size_t block);
 
   /// Takes out a walk that is about to be removed, if it is marked.
@@ -73,10 +95,14 @@ public:
   /// Upper bound of the quanta that all cells together receive from the repaired tails and those
   /// walks, if it is known.
   Power gainBound() const;
-  bool isBoundKnown() const { return bound_.isKnown(); }
+  /// False if a material reflects more than kMostReflecting.
+  bool isBoundKnown() const { return reflectance_ <= kMostReflecting; }
   std::size_t bytes() const;
 
 private:
+  /// Beyond this the bound would take long, and be a hundred times the power or more.
+  static constexpr double kMostReflecting = 0.99;
+
   struct Block
   {
     StaleMarks marks;
@@ -87,6 +113,13 @@ private:
   /// Collects the deposits of the segments from the mark to `end`.
   void tally(const WalkHistory& history, const StaleMark& mark, std::uint32_t end, int sign,
     std::vector<Deposit>& deposits) const;
+  /**
+   * The most that the rest of a walk can bring to all cells together in any one band, wherever it
+   * goes: what it brings if it never escapes and always hits the cell that reflects most. Whether
+   * it survives a hit is decided by its own samples, so the bound is certain, not a mean; 0 if it
+   * is not known. `incoming`: what segment `bounce` carries. See Documentation/Theory.md, 4.1.
+   */
+  std::int64_t gainOf(std::uint32_t walk, std::uint32_t bounce, const Power& incoming) const;
   void countUnborn(std::uint32_t walk, const Power& power);
   static void count(Block& block, const WalkHistory& history, const StaleMark& mark, int sign);
 
@@ -94,7 +127,8 @@ private:
   CellSums sums_;
   std::size_t numberOfUnborn_ = 0;
   Power unbornPower_, unbornGain_;
-  TailBound bound_;
+  SobolSequence samples_;
+  double reflectance_ = 0; ///< the largest of any triangle
 };
 
 }

@@ -11,11 +11,9 @@ std::vector<std::uint32_t> WalkBirths::shoot(
   const std::vector<std::uint32_t>& walks, TimeBudget* budget, Execution& execution)
 {
   std::vector<Unit> units = unitsOf(walks);
-  SlicedPass pass{ units.size(), {} };
-  pass.work = [&](std::size_t unit, const Deadline& deadline) {
-    return work(units[unit], walks, budget, deadline);
-  };
-  pass.run(execution);
+  runSliced(units.size(), execution, [&](std::size_t unit, const auto& hasToStop) {
+    return work(units[unit], walks, budget, hasToStop);
+  });
   std::vector<std::uint32_t> shot;
   for (const Unit& unit : units)
   {
@@ -47,8 +45,8 @@ std::vector<WalkBirths::Unit> WalkBirths::unitsOf(const std::vector<std::uint32_
   return units;
 }
 
-bool WalkBirths::work(
-  Unit& unit, const std::vector<std::uint32_t>& walks, TimeBudget* budget, const Deadline& deadline)
+bool WalkBirths::work(Unit& unit, const std::vector<std::uint32_t>& walks, TimeBudget* budget,
+  const std::function<bool()>& hasToStop)
 {
   const auto now = [&] { return budget ? budget->now() : 0; }; // without a budget no clock is read
   while (true)
@@ -59,7 +57,7 @@ bool WalkBirths::work(
     {
       return true;
     }
-    const bool isDone = run(unit, isNew, deadline);
+    const bool isDone = run(unit, isNew, hasToStop);
     unit.seconds += now() - start;
     if (isDone)
     {
@@ -70,7 +68,7 @@ bool WalkBirths::work(
         budget->spend(std::exchange(unit.seconds, 0), unit.begun);
       }
     }
-    if (!isDone || deadline.hasPassed())
+    if (!isDone || hasToStop())
     {
       return isDone && unit.next == unit.end;
     }
@@ -91,7 +89,7 @@ bool WalkBirths::begin(Unit& unit, const std::vector<std::uint32_t>& walks, Time
   unit.open = state_.pool.take();
   unit.open->begin(state_.tracer, &state_.history);
   WalkFront& front = unit.open->front();
-  front.reserve(unit.begun, state_.tracer.sampler().bands());
+  front.reserve(unit.begun, state_.tracer.stages().bands());
   front.size = unit.begun;
   for (std::size_t i = 0; i < unit.begun; ++i)
   {
@@ -102,7 +100,7 @@ bool WalkBirths::begin(Unit& unit, const std::vector<std::uint32_t>& walks, Time
   return true;
 }
 
-bool WalkBirths::run(Unit& unit, bool isNew, const Deadline& deadline)
+bool WalkBirths::run(Unit& unit, bool isNew, const std::function<bool()>& hasToStop)
 {
   PowerBalance balance;
   bool isDone = true;
@@ -113,9 +111,9 @@ bool WalkBirths::run(Unit& unit, bool isNew, const Deadline& deadline)
     {
       unit.open->start(tally);
     }
-    isDone = unit.open->run(tally, [&] { return deadline.hasPassed(); });
+    isDone = unit.open->run(tally, hasToStop);
   }
-  balance_.add(balance);
+  addLocked(balance, state_.balance, mutex_);
   return isDone;
 }
 

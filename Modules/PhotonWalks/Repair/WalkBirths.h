@@ -9,7 +9,6 @@
 
 #include <atomic>
 #include <cstdint>
-#include <mutex>
 #include <vector>
 
 namespace irradiance
@@ -35,7 +34,6 @@ public:
 
   explicit WalkBirths(const State& state)
     : state_(state)
-    , balance_(state.balance)
   {
   }
 
@@ -58,14 +56,14 @@ private:
 
   std::vector<Unit> unitsOf(const std::vector<std::uint32_t>& walks) const;
   bool work(Unit& unit, const std::vector<std::uint32_t>& walks, TimeBudget* budget,
-    const Deadline& deadline);
+    const std::function<bool()>& hasToStop);
   /// Puts the next walks of a unit into a batch; false if there are none or the time is up.
   bool begin(Unit& unit, const std::vector<std::uint32_t>& walks, TimeBudget* budget);
   /// Returns whether they have ended.
-  bool run(Unit& unit, bool isNew, const Deadline& deadline);
+  bool run(Unit& unit, bool isNew, const std::function<bool()>& hasToStop);
 
   State state_;
-  SharedBalance balance_;
+  std::mutex mutex_; ///< of the balance
   std::atomic<bool> hasBegun_{ false };
   std::atomic<std::int64_t> segments_{ 0 };
 };

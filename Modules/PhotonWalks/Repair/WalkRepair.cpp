@@ -3,7 +3,6 @@
 
 #include "Execution/ProgressSpan.h"
 #include "Execution/Stopwatch.h"
-#include "Progress/StageTimes.h"
 
 #include <algorithm>
 #include <limits>
@@ -18,17 +17,15 @@ namespace
 constexpr std::size_t kUnits = 32; // at least, if there are as many marked walks; for all threads
 constexpr std::size_t kBatchSize = 512;
 
-/// A pass over all blocks: work(first, end, unit, deadline) on those of a unit.
+/// A pass over all blocks: work(first, end, unit, hasToStop) on those of a unit.
 template <class Work>
 void passOver(const WalkHistory& history, Execution& execution, const Work& work)
 {
   constexpr std::size_t kBlocks = 32; // verified and repaired together
   const std::size_t all = history.size();
-  SlicedPass pass{ (all + kBlocks - 1) / kBlocks, {} };
-  pass.work = [&](std::size_t unit, const Deadline& deadline) {
-    return work(unit * kBlocks, std::min((unit + 1) * kBlocks, all), unit, deadline);
-  };
-  pass.run(execution);
+  runSliced((all + kBlocks - 1) / kBlocks, execution, [&](std::size_t unit, const auto& hasToStop) {
+    return work(unit * kBlocks, std::min((unit + 1) * kBlocks, all), unit, hasToStop);
+  });
 }
 
 }
@@ -36,13 +33,7 @@ void passOver(const WalkHistory& history, Execution& execution, const Work& work
 /// Marked walks of consecutive blocks, on which one thread at a time works.
 struct WalkRepair::Unit
 {
-  struct Item
-  {
-    std::size_t block;
-    StaleMark* mark;
-  };
-
-  std::vector<Item> items; ///< ordered by walk
+  std::vector<StaleMark*> marks; ///< ordered by walk
   std::size_t next = 0;
   std::unique_ptr<RepairWork> open;
   std::size_t walks = 0; ///< of what is open
@@ -53,7 +44,7 @@ std::unique_ptr<RepairWork> WalkRepair::take()
 {
   std::unique_ptr<RepairWork> work = state_.pool.take();
   work->batch.begin(state_.tracer, &state_.history);
-  work->stale.hidden.clear();
+  work->verifier.hidden.clear();
   work->firsts.clear();
   work->changes.gone.clear();
   work->changes.arrived.clear();
@@ -65,19 +56,19 @@ void WalkRepair::verifyAndRepair(Execution& execution)
 {
   std::vector<std::unique_ptr<RepairWork>> open(state_.history.size()); // by unit
   passOver(state_.history, execution,
-    [&](std::size_t first, std::size_t end, std::size_t unit, const Deadline& deadline) {
+    [&](std::size_t first, std::size_t end, std::size_t unit, const auto& hasToStop) {
       if (!open[unit])
       {
         open[unit] = take();
         const Stopwatch stopwatch;
-        state_.verifier.find(first, end, {}, open[unit]->verifier, open[unit]->stale);
+        state_.verifier.find(first, end, {}, open[unit]->verifier, open[unit]->batch.front());
         const double seconds = stopwatch.seconds();
         const std::lock_guard<std::mutex> lock(mutex_);
         figures_.verifySeconds += seconds;
-        figures_.invalidWalks += static_cast<std::int64_t>(open[unit]->stale.rows.size);
+        figures_.invalidWalks += static_cast<std::int64_t>(open[unit]->batch.front().size);
       }
       const Stopwatch stopwatch;
-      const bool isDone = shoot(*open[unit], deadline);
+      const bool isDone = shoot(*open[unit], hasToStop);
       if (isDone)
       {
         finish(open[unit]);
@@ -95,11 +86,11 @@ void WalkRepair::verifyAndMark(StaleWalks& stale, Execution& execution)
   {
     known.push_back(&std::as_const(stale).marks(block));
   }
-  passOver(state_.history, execution,
-    [&](std::size_t first, std::size_t end, std::size_t, const Deadline&) {
+  passOver(
+    state_.history, execution, [&](std::size_t first, std::size_t end, std::size_t, const auto&) {
       std::unique_ptr<RepairWork> work = take();
-      state_.verifier.find(first, end, known, work->verifier, work->stale);
-      const WalkFront& rows = work->stale.rows;
+      state_.verifier.find(first, end, known, work->verifier, work->batch.front());
+      const WalkFront& rows = work->batch.front();
       for (std::size_t row = 0, next = 0; row < rows.size; row = next)
       {
         work->firsts.clear();
@@ -121,7 +112,12 @@ void WalkRepair::verifyAndMark(StaleWalks& stale, Execution& execution)
 
 void WalkRepair::repair(StaleWalks& stale, TimeBudget* budget, Execution& execution)
 {
-  const std::vector<PowerClass> order = classes(stale, budget);
+  // Each class is large enough to fill the batches of all threads. If there is time for all, so is
+  // the only one.
+  constexpr std::size_t kForAUnit = 128;
+  const std::size_t enough = kForAUnit * std::min(kUnits, state_.history.size());
+  const std::vector<PowerClass> order =
+    stale.classes(budget ? enough : std::numeric_limits<std::size_t>::max());
   double all = 0, done = 0;
   for (const PowerClass& like : order)
   {
@@ -137,25 +133,14 @@ void WalkRepair::repair(StaleWalks& stale, TimeBudget* budget, Execution& execut
     const double from = done / all;
     done += static_cast<double>(like.size);
     ProgressSpan span(execution, from, done / all);
-    SlicedPass pass{ parts.size(), {} };
-    pass.work = [&](std::size_t i, const Deadline& deadline) {
-      return work(parts[i], stale, budget, deadline);
-    };
-    pass.run(span);
+    runSliced(parts.size(), span, [&](std::size_t i, const auto& hasToStop) {
+      return work(parts[i], stale, budget, hasToStop);
+    });
   }
   for (std::size_t block = 0; block < state_.history.size(); ++block)
   {
     stale.forgetRepaired(block);
   }
-}
-
-/// Each is large enough to fill the batches of all threads. If there is time for all, so is the
-/// only one.
-std::vector<PowerClass> WalkRepair::classes(const StaleWalks& stale, bool hasBudget) const
-{
-  constexpr std::size_t kForAUnit = 128;
-  const std::size_t enough = kForAUnit * std::min(kUnits, state_.history.size());
-  return stale.classes(hasBudget ? enough : std::numeric_limits<std::size_t>::max());
 }
 
 /// A block has few stale walks. So walks of several blocks are shot together, as long as that
@@ -166,7 +151,7 @@ std::vector<WalkRepair::Unit> WalkRepair::units(StaleWalks& stale, const PowerCl
   std::vector<Unit> units;
   for (std::size_t block = 0; block < state_.history.size(); ++block)
   {
-    if (units.empty() || units.back().items.size() >= together)
+    if (units.empty() || units.back().marks.size() >= together)
     {
       units.emplace_back();
     }
@@ -174,20 +159,21 @@ std::vector<WalkRepair::Unit> WalkRepair::units(StaleWalks& stale, const PowerCl
     {
       if (mark.powerClass >= like.weakest) // no stronger class is left
       {
-        units.back().items.push_back({ block, &mark });
+        units.back().marks.push_back(&mark);
       }
     }
   }
   return units;
 }
 
-bool WalkRepair::work(Unit& unit, StaleWalks& stale, TimeBudget* budget, const Deadline& deadline)
+bool WalkRepair::work(
+  Unit& unit, StaleWalks& stale, TimeBudget* budget, const std::function<bool()>& hasToStop)
 {
   const auto now = [&] { return budget ? budget->now() : 0; }; // without a budget no clock is read
   while (unit.open || (unit.open = begin(unit, stale, budget)))
   {
     const double start = now();
-    const bool isDone = shoot(*unit.open, deadline);
+    const bool isDone = shoot(*unit.open, hasToStop);
     if (isDone)
     {
       finish(unit.open);
@@ -201,7 +187,7 @@ bool WalkRepair::work(Unit& unit, StaleWalks& stale, TimeBudget* budget, const D
     {
       budget->spend(unit.seconds, unit.walks);
     }
-    if (deadline.hasPassed())
+    if (hasToStop())
     {
       return false;
     }
@@ -212,7 +198,7 @@ bool WalkRepair::work(Unit& unit, StaleWalks& stale, TimeBudget* budget, const D
 std::unique_ptr<RepairWork> WalkRepair::begin(Unit& unit, StaleWalks& stale, TimeBudget* budget)
 {
   constexpr std::size_t kFirst = 16;
-  const std::size_t left = std::min(unit.items.size() - unit.next, kBatchSize);
+  const std::size_t left = std::min(unit.marks.size() - unit.next, kBatchSize);
   if (left == 0)
   {
     return nullptr;
@@ -229,13 +215,12 @@ std::unique_ptr<RepairWork> WalkRepair::begin(Unit& unit, StaleWalks& stale, Tim
   std::vector<Deposit> deposits;
   for (std::size_t i = unit.next; i < unit.next + unit.walks; ++i)
   {
-    const Unit::Item& item = unit.items[i];
-    places.push_back(state_.history.placeOf(item.mark->first()));
-    stale.repair(item.block, state_.history, *item.mark, deposits);
+    places.push_back(state_.history.placeOf(unit.marks[i]->first()));
+    stale.repair(state_.history, *unit.marks[i], deposits);
   }
   stale.take(deposits);
   unit.next += unit.walks;
-  state_.verifier.castAgain(places, work->verifier, work->stale);
+  state_.verifier.castAgain(places, work->verifier, work->batch.front());
   unit.seconds = budget ? budget->now() - start : 0;
   return work;
 }
@@ -243,9 +228,8 @@ std::unique_ptr<RepairWork> WalkRepair::begin(Unit& unit, StaleWalks& stale, Tim
 void WalkRepair::removeOld(RepairWork& work, FrontTally& tally)
 {
   constexpr std::size_t kAhead = 12;
-  WalkFront& rows = work.stale.rows;
+  WalkFront& rows = work.batch.front();
   const int bands = state_.history.bands();
-  StageClock clock;
   Power starting;
   work.old.size = 0;
   for (std::size_t row = 0; row < rows.size; ++row)
@@ -274,12 +258,11 @@ void WalkRepair::removeOld(RepairWork& work, FrontTally& tally)
     remove(work, row);
   }
   tally.remove(work.old, starting);
-  clock.ends(Stage::Remove);
 }
 
 void WalkRepair::remove(RepairWork& work, std::size_t row)
 {
-  const WalkFront& rows = work.stale.rows;
+  const WalkFront& rows = work.batch.front();
   const SegmentPlace place{ rows.block[row], rows.slot[row] };
   const SegmentRef first{ rows.walk[row], rows.bounce[row] };
   if (state_.changes || state_.tails)
@@ -296,33 +279,33 @@ void WalkRepair::remove(RepairWork& work, std::size_t row)
     place, [&](std::uint32_t slot) { addStored(block, slot, state_.history.bands(), work.old); });
 }
 
-bool WalkRepair::shoot(RepairWork& work, const Deadline& deadline)
+bool WalkRepair::shoot(RepairWork& work, const std::function<bool()>& hasToStop)
 {
   PowerBalance balance;
   bool isDone = true;
   {
     constexpr std::size_t kUsualTail = 8; // photons that go and come
     FrontTally tally(state_.tracer.triangles(), state_.sums, balance, state_.tracer.powerPerWalk(),
-      kUsualTail * work.stale.rows.size);
+      kUsualTail * work.batch.front().size);
     if (!std::exchange(work.hasBegun, true))
     {
       removeOld(work, tally);
-      work.batch.resume(state_.changes || !work.stale.hidden.empty());
+      work.batch.resume(state_.changes || !work.verifier.hidden.empty());
     }
-    isDone = work.batch.run(tally, [&] { return deadline.hasPassed(); });
+    isDone = work.batch.run(tally, hasToStop);
   }
-  balance_.add(balance);
+  addLocked(balance, state_.balance, mutex_);
   return isDone;
 }
 
 void WalkRepair::finish(std::unique_ptr<RepairWork>& work)
 {
   const std::vector<SegmentPlace>& places = work->batch.places();
-  for (std::size_t i = 0; i < work->stale.hidden.size(); ++i)
+  for (std::size_t i = 0; i < work->verifier.hidden.size(); ++i)
   {
-    if (work->stale.hidden[i].isKnown())
+    if (work->verifier.hidden[i].isKnown())
     {
-      state_.history.hidden(places[i].block).set(places[i].slot, work->stale.hidden[i]);
+      state_.history.setHidden(places[i], work->verifier.hidden[i]);
     }
   }
   for (std::size_t i = 0; state_.changes && i < places.size(); ++i)

@@ -21,8 +21,7 @@ namespace irradiance
 /// What a thread needs to find stale walks and to shoot them again.
 struct RepairWork
 {
-  WalkBatch batch;
-  StaleFront stale{ batch.front() };
+  WalkBatch batch; ///< its front: first stale segments, then the tails that are shot
   WalkVerifier::Memory verifier;
   WalkFront old;                  ///< segments that are taken back
   std::vector<SegmentRef> firsts; ///< of the tails that are shot
@@ -64,7 +63,6 @@ public:
 
   explicit WalkRepair(const State& state)
     : state_(state)
-    , balance_(state.balance)
   {
   }
 
@@ -81,22 +79,21 @@ public:
 private:
   struct Unit;
 
-  std::vector<PowerClass> classes(const StaleWalks& stale, bool hasBudget) const;
   std::vector<Unit> units(StaleWalks& stale, const PowerClass& like) const;
-  bool work(Unit& unit, StaleWalks& stale, TimeBudget* budget, const Deadline& deadline);
+  bool work(
+    Unit& unit, StaleWalks& stale, TimeBudget* budget, const std::function<bool()>& hasToStop);
   /// The next walks of a unit; null if there are none or the time is up.
   std::unique_ptr<RepairWork> begin(Unit& unit, StaleWalks& stale, TimeBudget* budget);
 
   std::unique_ptr<RepairWork> take();
-  /// Removes the old tails of `work.stale`.
+  /// Removes the old tails of the front.
   void removeOld(RepairWork& work, FrontTally& tally);
   void remove(RepairWork& work, std::size_t row);
   /// Shoots the new ones; returns whether they are done.
-  bool shoot(RepairWork& work, const Deadline& deadline);
+  bool shoot(RepairWork& work, const std::function<bool()>& hasToStop);
   void finish(std::unique_ptr<RepairWork>& work);
 
   State state_;
-  SharedBalance balance_;
   std::atomic<bool> hasBegun_{ false };
   std::mutex mutex_;
   Figures figures_;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/WalkVerifier.h"
 
-#include "Progress/StageTimes.h"
-
 #include <algorithm>
 
 namespace irradiance
@@ -51,7 +49,7 @@ void WalkVerifier::Memory::reserve(std::size_t more, int bands)
 }
 
 template <class IsChosen>
-void WalkVerifier::choose(Memory& memory, const IsChosen& isChosen, StaleFront& stale) const
+void WalkVerifier::choose(Memory& memory, const IsChosen& isChosen, WalkFront& stale) const
 {
   const std::array<Suspects*, 3> suspects = memory.all();
   const std::array<const WalkFront*, 3> fronts{ &suspects[0]->rows, &suspects[1]->rows,
@@ -80,21 +78,24 @@ void WalkVerifier::choose(Memory& memory, const IsChosen& isChosen, StaleFront& 
       }
     }
   }
-  stale.rows.pick(fronts, memory.chosen);
+  stale.pick(fronts, memory.chosen);
   for (std::size_t i = 0; cachesStaticHits_ && i < memory.chosen.size(); ++i)
   {
     const Suspects& from = *suspects[memory.chosen[i].front];
     const std::uint32_t row = memory.chosen[i].row;
-    stale.hidden.push_back(isDynamic(from.rows.hit[row]) ? from.known[row] : HiddenHit{});
+    memory.hidden.push_back(isDynamic(from.rows.hit[row]) ? from.known[row] : HiddenHit{});
   }
 }
 
 void WalkVerifier::find(std::size_t first, std::size_t end,
-  const std::vector<const StaleMarks*>& known, Memory& memory, StaleFront& stale) const
+  const std::vector<const StaleMarks*>& known, Memory& memory, WalkFront& stale) const
 {
-  StageClock clock;
-  history_.find(scan_, first, end, memory.slots);
-  clock.ends(Stage::Scan);
+  memory.slots.resize(std::max(memory.slots.size(), end - first));
+  for (std::size_t block = first; block < end; ++block)
+  {
+    scan_.find(history_.block(block), history_.block(std::min(block + 1, end - 1)),
+      memory.slots[block - first]);
+  }
   memory.firstStale.assign((end - first) * WalkPlan::kWalksPerBlock, BounceBlock::kNone);
   memory.clear();
   const auto prefetchHits = [&](std::size_t block) {
@@ -112,13 +113,10 @@ void WalkVerifier::find(std::size_t first, std::size_t end,
     sort(block, memory.slots[block - first], known.empty() ? nullptr : known[block], firstStale,
       memory);
   }
-  clock.ends(Stage::Sort);
   findRays(memory);
   suspects_ += static_cast<std::int64_t>(
     memory.blocked.rows.size + memory.lost.rows.size + memory.uncovered.rows.size);
-  clock.ends(Stage::Rays);
   cast(memory, false);
-  clock.restarts(); // the cast has a clock of its own
   noteFirst(first, memory);
   choose(
     memory,
@@ -126,11 +124,10 @@ void WalkVerifier::find(std::size_t first, std::size_t end,
       return rows.bounce[row] == memory.firstStale[walkAt(rows, row, first)];
     },
     stale);
-  clock.ends(Stage::Sort);
 }
 
 void WalkVerifier::castAgain(
-  const std::vector<SegmentPlace>& places, Memory& memory, StaleFront& stale) const
+  const std::vector<SegmentPlace>& places, Memory& memory, WalkFront& stale) const
 {
   memory.clear();
   memory.reserve(places.size(), history_.bands());
@@ -148,7 +145,7 @@ void WalkVerifier::castAgain(
 void WalkVerifier::cast(Memory& memory, bool byAllDynamic) const
 {
   castBlocked(memory, byAllDynamic);
-  castLost(memory);
+  tracer_.cast(memory.lost.rows, memory.cast); // the object that was hit moved, or objects touch
   castUncovered(memory);
 }
 
@@ -193,7 +190,7 @@ void WalkVerifier::add(std::size_t number, std::uint32_t slot, bool isLost, Memo
   const BounceBlock& block = history_.block(number);
   const bool isTouched = isTouching(block, slot);
   const bool mayHide = cachesStaticHits_ && !isTouched && isDynamic(block.triangle(slot));
-  const HiddenHit hidden = mayHide ? history_.hidden(number).find(slot) : HiddenHit{};
+  const HiddenHit hidden = mayHide ? history_.hidden({ number, slot }) : HiddenHit{};
   Suspects& suspects = isTouched ? memory.lost
     : !isLost                    ? memory.blocked
     : hidden.isKnown()           ? memory.uncovered
@@ -237,12 +234,6 @@ void WalkVerifier::castBlocked(Memory& memory, bool byAllDynamic) const
     }
   }
   byAllDynamic ? tracer_.castDynamic(rows, memory.cast) : tracer_.castMoved(rows, memory.cast);
-}
-
-/// The object that was hit moved, or objects touch.
-void WalkVerifier::castLost(Memory& memory) const
-{
-  tracer_.cast(memory.lost.rows, memory.cast);
 }
 
 /// Dynamic objects hid a static hit that is known.

@@ -3,8 +3,7 @@
 #define irradiance_WalkVerifier_h
 
 #include "History/BounceScan.h"
-#include "Repair/StaleFront.h"
-#include "Repair/StaleMark.h"
+#include "Repair/StaleWalks.h"
 #include "Shooting/StoredRays.h"
 
 #include <atomic>
@@ -25,13 +24,19 @@ class WalkVerifier
 {
 public:
   /// `moved[i]`: the i-th dynamic object has another pose or shape than in the stored frame. `scan`
-  /// flags all segments that these objects may change. `cachesStaticHits`: see HiddenHits.
+  /// flags all segments that these objects may change. `cachesStaticHits`: see HiddenHit.
   WalkVerifier(const WalkTracer& tracer, const WalkHistory& history, const std::vector<bool>& moved,
     const BounceScan& scan, bool cachesStaticHits);
 
   /// The memory of one thread.
   class Memory
   {
+  public:
+    /// Of each stale segment, if static hits are cached: the one that a dynamic object hides in the
+    /// new frame.
+    std::vector<HiddenHit> hidden;
+
+  private:
     friend class WalkVerifier;
 
     /// Segments for which rays are cast in the same way, row by row.
@@ -54,13 +59,14 @@ public:
     FrontCast cast;
   };
 
-  /// Of the blocks [first, end): at most one segment of each walk. Walks `known` to be stale (by
-  /// block; null: none) are verified up to their marks.
+  /// The first stale segments of walks of the blocks [first, end), block by block, with their rays
+  /// and their hits in the new frame. Slots and blocks are where the old segments are stored. Walks
+  /// `known` to be stale (by block; null: none) are verified up to their marks.
   void find(std::size_t first, std::size_t end, const std::vector<const StaleMarks*>& known,
-    Memory& memory, StaleFront& stale) const;
+    Memory& memory, WalkFront& stale) const;
   /// The same for segments that are known to be stale, by block: their hits in the new frame. A hit
   /// that was found in an earlier frame may have changed since, but the ray has not.
-  void castAgain(const std::vector<SegmentPlace>& places, Memory& memory, StaleFront& stale) const;
+  void castAgain(const std::vector<SegmentPlace>& places, Memory& memory, WalkFront& stale) const;
   /// The number of segments for which rays were cast so far.
   std::int64_t numberOfSuspects() const { return suspects_; }
 
@@ -84,7 +90,6 @@ private:
   /// `byAllDynamic`: a blocked ray may hit any dynamic object, not only those that moved.
   void cast(Memory& memory, bool byAllDynamic) const;
   void castBlocked(Memory& memory, bool byAllDynamic) const;
-  void castLost(Memory& memory) const;
   void castUncovered(Memory& memory) const;
   void noteFirst(std::size_t firstBlock, Memory& memory) const;
   bool isChanged(const WalkFront& rows, std::size_t row) const;
@@ -92,7 +97,7 @@ private:
   std::size_t walkAt(const WalkFront& rows, std::size_t row, std::size_t firstBlock) const;
   /// Takes the rows for which isChosen(rows, row) is true, block by block.
   template <class IsChosen>
-  void choose(Memory& memory, const IsChosen& isChosen, StaleFront& stale) const;
+  void choose(Memory& memory, const IsChosen& isChosen, WalkFront& stale) const;
 
   const WalkTracer& tracer_;
   const WalkHistory& history_;

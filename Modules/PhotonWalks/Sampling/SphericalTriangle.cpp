@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sampling/SphericalTriangle.h"
 
-#include "Sampling/ArcTangent.h"
-#include "Sampling/SinCos.h"
-
-#include <cstdint>
-#include <cstring>
+#include "Sampling/ElementaryFunctions.h"
 
 namespace irradiance
 {
@@ -17,12 +13,8 @@ namespace
 double scaleToOne(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const double largest = a.cwiseAbs().cwiseMax(b.cwiseAbs()).cwiseMax(c.cwiseAbs()).maxCoeff();
-  std::uint64_t bits = 0;
-  std::memcpy(&bits, &largest, sizeof(bits));
-  const std::uint64_t scaleBits = (2046 - std::min<std::uint64_t>(bits >> 52, 2045)) << 52;
-  double scale = 0;
-  std::memcpy(&scale, &scaleBits, sizeof(scale));
-  return scale;
+  const std::uint64_t exponent = bitCast<std::uint64_t>(largest) >> 52;
+  return bitCast<double>((2046 - std::min<std::uint64_t>(exponent, 2045)) << 52);
 }
 
 /// |v| |w| (1 + cos) of two vectors by |v| |w|, v . w and |v x w|^2, without cancellation. This over

@@ -2,8 +2,6 @@
 #ifndef irradiance_WalkPlan_h
 #define irradiance_WalkPlan_h
 
-#include "Sampling/Replicates.h"
-
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -11,6 +9,39 @@
 
 namespace irradiance
 {
+
+/// Assigns walks to replicates in turn: the w-th walk is number w / R (rounded down) of replicate w
+/// mod R. So the first n walks are shared evenly for every n; the first n mod R replicates have one
+/// more.
+class Replicates
+{
+public:
+  /// `firstWalk`: the number that the first walk has.
+  explicit Replicates(std::uint32_t count = 1, std::uint32_t firstWalk = 0)
+    : count_(count)
+    , firstWalk_(firstWalk)
+  {
+  }
+
+  std::uint32_t count() const { return count_; }
+  std::uint32_t firstWalk() const { return firstWalk_; }
+  std::uint32_t replicateOf(std::uint32_t walk) const
+  {
+    return count_ == 1 ? 0 : (walk - firstWalk_) % count_;
+  }
+  std::uint32_t numberWithin(std::uint32_t walk) const
+  {
+    return count_ == 1 ? walk - firstWalk_ : (walk - firstWalk_) / count_;
+  }
+  /// How many of the first `walks` walks a replicate has.
+  std::uint32_t share(std::uint32_t replicate, std::uint32_t walks) const
+  {
+    return walks / count_ + (replicate < walks % count_ ? 1 : 0);
+  }
+
+private:
+  std::uint32_t count_, firstWalk_;
+};
 
 /// Walks [firstWalk, endWalk), stored in blocks [firstBlock, endBlock) of their own.
 struct WalkRound
@@ -91,6 +122,37 @@ private:
 
   Replicates replicates_;
   std::vector<WalkRound> rounds_;
+};
+
+/// The blocks of a plan that one rank of several works on. They are dealt in turn, so that each
+/// round is shared evenly.
+class DealtBlocks
+{
+public:
+  /// All blocks.
+  DealtBlocks() = default;
+  DealtBlocks(std::size_t rank, std::size_t ranks)
+    : rank_(rank)
+    , ranks_(ranks)
+  {
+  }
+
+  /// The number in the plan of the i-th of these.
+  std::size_t operator[](std::size_t i) const { return rank_ + i * ranks_; }
+  bool contains(std::size_t block) const { return block % ranks_ == rank_; }
+  /// How many of these have lower numbers.
+  std::size_t before(std::size_t block) const
+  {
+    return ranks_ == 1 ? block : (block + ranks_ - 1 - rank_) / ranks_;
+  }
+
+  friend bool operator==(const DealtBlocks& a, const DealtBlocks& b)
+  {
+    return a.rank_ == b.rank_ && a.ranks_ == b.ranks_;
+  }
+
+private:
+  std::size_t rank_ = 0, ranks_ = 1;
 };
 
 }

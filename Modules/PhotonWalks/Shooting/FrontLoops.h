@@ -4,7 +4,10 @@
 
 #include "Sampling/SampleGroup.h"
 #include "Shooting/WalkFront.h"
+#include "Simd/SimdLevel.h"
 #include "Surfaces/SceneTriangles.h"
+
+#include <vector>
 
 namespace irradiance
 {
@@ -35,56 +38,6 @@ struct SceneRows
   std::uint32_t size;           ///< triangles
 };
 
-/// Chooses lights and places on them.
-struct StartLoop
-{
-  WalkFront& front; ///< in: walk, bounce = 0; out: start, weights, side
-  const BounceKeys &lights, &positions;
-  const std::vector<double>& cumulativeFlux; ///< W
-  const std::uint32_t* triangles;            ///< of each light, or kNone
-  std::uint32_t* chosen;                     ///< out: the light of each walk
-};
-
-/// Decides which walks survive by the thresholds of CellLook.
-struct SurviveLoop
-{
-  SceneRows rows;
-  WalkFront& front; ///< in: walk, bounce, hit; out: survivors
-  const BounceKeys& keys;
-};
-
-/// Draws the samples alone, for the bounces to come.
-struct DrawLoop
-{
-  WalkFront& front; ///< in: walk, bounce
-  const BounceKeys& keys;
-  std::uint32_t* samples; ///< out: first coordinates
-};
-
-/// Takes the survivors, in order and without gaps, from the front of their hits to the next one.
-struct PackLoop
-{
-  const WalkFront& from;
-  WalkFront& to;  ///< start, weights, side, walk, bounce, block, parent
-  bool hasGlossy; ///< also isSpecular, the incoming directions and the origins
-  int bands;      ///< if several: also the powers
-};
-
-/// Where the rays of walks begin, and their directions.
-struct LeaveLoop
-{
-  SceneRows rows;
-  WalkFront& front; ///< in: walk, bounce, start, weights, side; out: the ray
-  const BounceKeys& keys;
-};
-
-/// Which sides the rays hit.
-struct SidesLoop
-{
-  SceneRows rows;
-  WalkFront& front; ///< in: direction, hit; out: hitSide
-};
-
 /// Where the tally adds photons: sums of a round are numbered by cell, side, replicate and band.
 struct SlotsLoop
 {
@@ -97,28 +50,40 @@ struct SlotsLoop
   std::uint32_t* slots;  ///< out: of each of these walks, in whole groups
 };
 
-/// Each with the best instructions of the machine. All give the same bits.
-void runStart(const StartLoop& loop);
-void runSurvive(const SurviveLoop& loop);
-void runDraw(const DrawLoop& loop);
-void runPack(const PackLoop& loop);
-void runLeave(const LeaveLoop& loop);
-void runSides(const SidesLoop& loop);
-void runSlots(const SlotsLoop& loop);
+/// The loops of one instruction set. All sets give the same bits.
+struct FrontLoops
+{
+  /// Chooses lights and places on them. Reads walk and bounce, which is 0; writes start, weights,
+  /// side, and the light as candidate. `cumulativeFlux`: W. `triangles`: of each light, or kNone.
+  void (*start)(WalkFront& front, const BounceKeys& lights, const BounceKeys& positions,
+    const std::vector<double>& cumulativeFlux, const std::uint32_t* triangles);
+  /// Decides which walks survive by the thresholds of CellLook. Reads walk, bounce and hit; writes
+  /// survivors.
+  void (*survive)(WalkFront& front, SceneRows rows, const BounceKeys& keys);
+  /// Draws the samples alone, for the bounces to come. Reads walk and bounce; writes the first
+  /// coordinates as candidate.
+  void (*draw)(WalkFront& front, const BounceKeys& keys);
+  /// Takes the survivors, in order and without gaps, to the next front: start, weights, side, walk,
+  /// bounce, block, parent. `hasGlossy`: also isSpecular, the incoming directions and the origins.
+  /// Several bands: also the powers.
+  void (*pack)(const WalkFront& from, WalkFront& to, bool hasGlossy, int bands);
+  /// Where the rays of walks begin, and their directions. Reads walk, bounce, start, weights and
+  /// side; writes the ray.
+  void (*leave)(WalkFront& front, SceneRows rows, const BounceKeys& keys);
+  /// Which sides the rays hit. Reads direction and hit; writes hitSide.
+  void (*findSides)(WalkFront& front, SceneRows rows);
+  void (*findSlots)(const SlotsLoop& loop);
+};
 
-/// The loops of one instruction set.
-#define IRRADIANCE_FRONT_LOOPS(level)                                                              \
-  void runStart##level(const StartLoop& loop);                                                     \
-  void runSurvive##level(const SurviveLoop& loop);                                                 \
-  void runDraw##level(const DrawLoop& loop);                                                       \
-  void runPack##level(const PackLoop& loop);                                                       \
-  void runLeave##level(const LeaveLoop& loop);                                                     \
-  void runSides##level(const SidesLoop& loop);                                                     \
-  void runSlots##level(const SlotsLoop& loop);
-IRRADIANCE_FRONT_LOOPS(Plain)
-IRRADIANCE_FRONT_LOOPS(Avx2)
-IRRADIANCE_FRONT_LOOPS(Avx512)
-#undef IRRADIANCE_FRONT_LOOPS
+const FrontLoops& frontLoopsPlain();
+const FrontLoops& frontLoopsAvx2();
+const FrontLoops& frontLoopsAvx512();
+
+/// With the best instructions of the machine.
+inline const FrontLoops& frontLoops()
+{
+  return IRRADIANCE_CALL_BEST(frontLoops, );
+}
 
 }
 

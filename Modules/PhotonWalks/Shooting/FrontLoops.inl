@@ -54,25 +54,24 @@ __attribute__((always_inline)) inline void placeOnTriangles(
   std::memcpy(weightC, c, sizeof(c));
 }
 
-template <class Lanes>
-void runStartLoop(const StartLoop& loop)
+void startLoop(WalkFront& front, const BounceKeys& lights, const BounceKeys& positions,
+  const std::vector<double>& cumulativeFlux, const std::uint32_t* triangles)
 {
-  WalkFront& front = loop.front;
   SampleGroup samples;
-  std::uint32_t chosen[kGroup], triangles[kGroup];
+  std::uint32_t chosen[kGroup], starts[kGroup];
   for (std::size_t i = 0; i < front.size; i += kGroup)
   {
     const std::uint32_t *walks = &front.walk[i], *bounces = &front.bounce[i];
-    samples.drawFirst(loop.lights, walks, bounces, 0);
-    chooseLights(loop.cumulativeFlux, samples.x, chosen);
+    samples.drawFirst(lights, walks, bounces, 0);
+    chooseLights(cumulativeFlux, samples.x, chosen);
     for (unsigned lane = 0; lane < kGroup; ++lane)
     {
-      triangles[lane] = loop.triangles[chosen[lane]];
+      starts[lane] = triangles[chosen[lane]];
     }
-    std::memcpy(loop.chosen + i, chosen, sizeof(chosen));
-    std::memcpy(&front.start[i], triangles, sizeof(triangles));
+    std::memcpy(&front.candidate[i], chosen, sizeof(chosen));
+    std::memcpy(&front.start[i], starts, sizeof(starts));
     std::memset(&front.side[i], 1, kGroup);
-    samples.draw(loop.positions, walks, bounces, 0);
+    samples.draw(positions, walks, bounces, 0);
     placeOnTriangles(samples, &front.weightB[i], &front.weightC[i]);
   }
 }
@@ -90,16 +89,14 @@ __attribute__((always_inline)) inline void prefetchLooks(
 }
 
 template <class Lanes>
-void runSurviveLoop(const SurviveLoop& loop)
+void surviveLoop(WalkFront& front, SceneRows rows, const BounceKeys& keys)
 {
   static_assert(CellLook::kSurvivesAlways == 1u << 31);
-  WalkFront& front = loop.front;
-  const SceneRows rows = loop.rows;
   SampleGroup samples;
   alignas(64) std::uint32_t threshold[kGroup], always[kGroup], survives[kGroup];
   for (std::size_t i = 0; i < front.size; i += kGroup)
   {
-    samples.drawFirst(loop.keys, &front.walk[i], &front.bounce[i], 1);
+    samples.drawFirst(keys, &front.walk[i], &front.bounce[i], 1);
     const std::uint32_t* const hits = &front.hit[i];
     for (unsigned lane = 0; lane < kGroup; ++lane) // the tally has just read the same looks
     {
@@ -115,22 +112,19 @@ void runSurviveLoop(const SurviveLoop& loop)
   }
 }
 
-template <class Lanes>
-void runDrawLoop(const DrawLoop& loop)
+void drawLoop(WalkFront& front, const BounceKeys& keys)
 {
   SampleGroup samples;
-  for (std::size_t i = 0; i < loop.front.size; i += kGroup)
+  for (std::size_t i = 0; i < front.size; i += kGroup)
   {
-    samples.drawFirst(loop.keys, &loop.front.walk[i], &loop.front.bounce[i], 1);
-    std::copy_n(samples.x, kGroup, loop.samples + i);
+    samples.drawFirst(keys, &front.walk[i], &front.bounce[i], 1);
+    std::copy_n(samples.x, kGroup, &front.candidate[i]);
   }
 }
 
 template <class Lanes>
-void runPackLoop(const PackLoop& loop)
+void packLoop(const WalkFront& from, WalkFront& to, bool hasGlossy, int bands)
 {
-  const WalkFront& from = loop.from;
-  WalkFront& to = loop.to;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < from.size; i += kPacked)
   {
@@ -150,7 +144,7 @@ void runPackLoop(const PackLoop& loop)
     pack(&from.block[i], &to.block[kept]);
     pack(&from.slot[i], &to.parent[kept]);
     pack(&from.hitSide[i], &to.side[kept]);
-    if (loop.hasGlossy)
+    if (hasGlossy)
     {
       pack(&from.directionX[i], &to.directionX[kept]);
       pack(&from.directionY[i], &to.directionY[kept]);
@@ -160,7 +154,7 @@ void runPackLoop(const PackLoop& loop)
       pack(&from.originY[i], &to.originY[kept]);
       pack(&from.originZ[i], &to.originZ[kept]);
     }
-    for (int band = 0; loop.bands > 1 && band < loop.bands; ++band)
+    for (int band = 0; bands > 1 && band < bands; ++band)
     {
       pack(&from.power[band][i], &to.power[band][kept]);
     }
@@ -172,20 +166,13 @@ void runPackLoop(const PackLoop& loop)
 /// Rows of the table, side by side.
 struct RecordLanes
 {
-  enum Column
-  {
-    A = 0,
-    B = 3,
-    C = 6,
-    Normal = 9,
-    Clearance = 12,
-    Inset = 13,
-    Columns = 16
-  };
+  // Where they hold what.
+  static constexpr unsigned kA = 0, kB = 3, kC = 6, kNormal = 9, kClearance = 12, kInset = 13,
+                            kColumns = 16;
   /// Lanes::transpose takes that many rows.
   static constexpr unsigned kRows = 8;
 
-  alignas(64) double column[Columns][kGroup];
+  alignas(64) double column[kColumns][kGroup];
 
   template <class Lanes>
   __attribute__((always_inline)) void load(const SceneRows& rows, const std::uint32_t* numbers)
@@ -201,61 +188,39 @@ struct RecordLanes
     }
   }
 };
-static_assert(offsetof(SurfaceRecord, normal) == RecordLanes::Normal * sizeof(double));
-static_assert(offsetof(SurfaceRecord, inset) == RecordLanes::Inset * sizeof(double));
+static_assert(offsetof(SurfaceRecord, normal) == RecordLanes::kNormal * sizeof(double));
+static_assert(offsetof(SurfaceRecord, inset) == RecordLanes::kInset * sizeof(double));
 
 __attribute__((always_inline)) inline double mostOf(double a, double b)
 {
   return a > b ? a : b;
 }
 
-/// The points that walks leave, with the operations of SurfaceFormula in its order.
-struct PointLanes
+/// The points that walks leave, with the operations of SurfaceFormula in its order. `side`: 1
+/// front, -1 back. `normal`: of the side.
+__attribute__((always_inline)) inline void placeOrigins(const RecordLanes& record,
+  const float* weightB, const float* weightC, const double* side, double (&origin)[3][kGroup],
+  float (&normal)[3][kGroup])
 {
-  alignas(64) double side[kGroup]; ///< 1 front, -1 back
-  alignas(64) double origin[3][kGroup];
-  alignas(64) float normal[3][kGroup]; ///< of the side
-
-  __attribute__((always_inline)) void place(
-    const RecordLanes& record, const float* weightB, const float* weightC)
-  {
-    const auto& c = record.column;
-    for (unsigned lane = 0; lane < kGroup; ++lane)
-    {
-      const double b = weightB[lane], g = weightC[lane], a = 1 - b - g;
-      const double keptA = mostOf(a, c[RecordLanes::Inset][lane]),
-                   keptB = mostOf(b, c[RecordLanes::Inset + 1][lane]),
-                   keptC = mostOf(g, c[RecordLanes::Inset + 2][lane]);
-      const double scale = 1 / (keptA + keptB + keptC);
-      for (unsigned axis = 0; axis < 3; ++axis)
-      {
-        const double turned = side[lane] * c[RecordLanes::Normal + axis][lane];
-        const double position =
-          (keptA * c[RecordLanes::A + axis][lane] + keptB * c[RecordLanes::B + axis][lane] +
-            keptC * c[RecordLanes::C + axis][lane]) *
-          scale;
-        origin[axis][lane] = position + c[RecordLanes::Clearance][lane] * turned;
-        normal[axis][lane] = static_cast<float>(turned);
-      }
-    }
-  }
-};
-
-template <class Lanes>
-__attribute__((always_inline)) inline void leavePoints(
-  const LeaveLoop& loop, std::size_t i, PointLanes& points)
-{
-  WalkFront& front = loop.front;
-  RecordLanes record;
-  record.load<Lanes>(loop.rows, &front.start[i]);
+  const auto& c = record.column;
   for (unsigned lane = 0; lane < kGroup; ++lane)
   {
-    points.side[lane] = front.side[i + lane] != 0 ? 1.0 : -1.0;
+    const double b = weightB[lane], g = weightC[lane], a = 1 - b - g;
+    const double keptA = mostOf(a, c[RecordLanes::kInset][lane]),
+                 keptB = mostOf(b, c[RecordLanes::kInset + 1][lane]),
+                 keptC = mostOf(g, c[RecordLanes::kInset + 2][lane]);
+    const double scale = 1 / (keptA + keptB + keptC);
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      const double turned = side[lane] * c[RecordLanes::kNormal + axis][lane];
+      const double position =
+        (keptA * c[RecordLanes::kA + axis][lane] + keptB * c[RecordLanes::kB + axis][lane] +
+          keptC * c[RecordLanes::kC + axis][lane]) *
+        scale;
+      origin[axis][lane] = position + c[RecordLanes::kClearance][lane] * turned;
+      normal[axis][lane] = static_cast<float>(turned);
+    }
   }
-  points.place(record, &front.weightB[i], &front.weightC[i]);
-  std::memcpy(&front.originX[i], points.origin[0], sizeof(points.origin[0]));
-  std::memcpy(&front.originY[i], points.origin[1], sizeof(points.origin[1]));
-  std::memcpy(&front.originZ[i], points.origin[2], sizeof(points.origin[2]));
 }
 
 /// Asks memory for the records of the next group.
@@ -273,21 +238,29 @@ __attribute__((always_inline)) inline void prefetchRecords(
 }
 
 template <class Lanes>
-void runLeaveLoop(const LeaveLoop& loop)
+void leaveLoop(WalkFront& front, SceneRows rows, const BounceKeys& keys)
 {
-  WalkFront& front = loop.front;
   SampleGroup samples;
-  PointLanes points;
-  alignas(64) float direction[3][kGroup];
+  RecordLanes record;
+  alignas(64) double side[kGroup], origin[3][kGroup];
+  alignas(64) float normal[3][kGroup], direction[3][kGroup];
   for (std::size_t i = 0; i < front.size; i += kGroup)
   {
-    prefetchRecords(loop.rows, front, i);
-    leavePoints<Lanes>(loop, i, points);
-    samples.draw(loop.keys, &front.walk[i], &front.bounce[i], 0);
+    prefetchRecords(rows, front, i);
+    record.load<Lanes>(rows, &front.start[i]);
     for (unsigned lane = 0; lane < kGroup; ++lane)
     {
-      const CosineDirectionInFloat leaving(points.normal[0][lane], points.normal[1][lane],
-        points.normal[2][lane], samples.x[lane], samples.y[lane]);
+      side[lane] = front.side[i + lane] != 0 ? 1.0 : -1.0;
+    }
+    placeOrigins(record, &front.weightB[i], &front.weightC[i], side, origin, normal);
+    std::memcpy(&front.originX[i], origin[0], sizeof(origin[0]));
+    std::memcpy(&front.originY[i], origin[1], sizeof(origin[1]));
+    std::memcpy(&front.originZ[i], origin[2], sizeof(origin[2]));
+    samples.draw(keys, &front.walk[i], &front.bounce[i], 0);
+    for (unsigned lane = 0; lane < kGroup; ++lane)
+    {
+      const CosineDirectionInFloat leaving(
+        normal[0][lane], normal[1][lane], normal[2][lane], samples.x[lane], samples.y[lane]);
       direction[0][lane] = leaving.x;
       direction[1][lane] = leaving.y;
       direction[2][lane] = leaving.z;
@@ -299,10 +272,8 @@ void runLeaveLoop(const LeaveLoop& loop)
 }
 
 /// Of a record only the normal is read.
-template <class Lanes>
-void runSidesLoop(const SidesLoop& loop)
+void sidesLoop(WalkFront& front, SceneRows rows)
 {
-  WalkFront& front = loop.front;
   alignas(64) double x[kGroup], y[kGroup], z[kGroup];
   for (std::size_t i = 0; i < front.size; i += kGroup)
   {
@@ -310,11 +281,11 @@ void runSidesLoop(const SidesLoop& loop)
     const std::size_t ahead = i + kGroup;
     for (unsigned lane = 0; lane < kGroup && ahead < front.size; ++lane)
     {
-      prefetchLine(&loop.rows.recordOf(hits[kGroup + lane])->normal);
+      prefetchLine(&rows.recordOf(hits[kGroup + lane])->normal);
     }
     for (unsigned lane = 0; lane < kGroup; ++lane)
     {
-      const double* const normal = loop.rows.recordOf(hits[lane])->normal;
+      const double* const normal = rows.recordOf(hits[lane])->normal;
       x[lane] = normal[0];
       y[lane] = normal[1];
       z[lane] = normal[2];
@@ -331,8 +302,7 @@ void runSidesLoop(const SidesLoop& loop)
   }
 }
 
-template <class Lanes>
-void runSlotsLoop(const SlotsLoop& loop)
+void slotsLoop(const SlotsLoop& loop)
 {
   const WalkFront& front = loop.front;
   const SceneRows rows = loop.rows;
@@ -366,6 +336,10 @@ void runSlotsLoop(const SlotsLoop& loop)
     std::memcpy(loop.slots + (i - loop.first), slot, sizeof(slot));
   }
 }
+
+template <class Lanes>
+constexpr FrontLoops kLoops{ startLoop, surviveLoop<Lanes>, drawLoop, packLoop<Lanes>,
+  leaveLoop<Lanes>, sidesLoop, slotsLoop };
 
 }
 }

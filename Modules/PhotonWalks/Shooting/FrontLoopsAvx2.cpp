@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #ifdef __x86_64__
 
-#include "Sampling/CosineDirectionInFloat.h"
+#include "Sampling/DirectionSampling.h"
 #include "Shooting/FrontLoops.h"
 #include "Simd/Prefetch.h"
 #include "Simd/SimdTarget.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstring>
 #include <immintrin.h>
@@ -17,26 +18,21 @@ namespace
 {
 
 /// For each mask of eight lanes those that it chooses, in order.
-struct ChosenLanes
-{
-  alignas(64) std::uint8_t lanes[256][8] = {};
-
-  constexpr ChosenLanes()
+alignas(64) constexpr auto kChosen = [] {
+  std::array<std::array<std::uint8_t, 8>, 256> chosen{};
+  for (unsigned mask = 0; mask < 256; ++mask)
   {
-    for (unsigned mask = 0; mask < 256; ++mask)
+    unsigned kept = 0;
+    for (unsigned lane = 0; lane < 8; ++lane)
     {
-      unsigned kept = 0;
-      for (unsigned lane = 0; lane < 8; ++lane)
+      if ((mask >> lane & 1u) != 0)
       {
-        if ((mask >> lane & 1u) != 0)
-        {
-          lanes[mask][kept++] = static_cast<std::uint8_t>(lane);
-        }
+        chosen[mask][kept++] = static_cast<std::uint8_t>(lane);
       }
     }
   }
-};
-constexpr ChosenLanes kChosen;
+  return chosen;
+}();
 
 }
 }
@@ -61,7 +57,7 @@ struct Avx2Lanes
   {
     for (unsigned row = 0; row < RecordLanes::kRows; row += 4)
     {
-      for (unsigned column = 0; column < RecordLanes::Columns; column += 4)
+      for (unsigned column = 0; column < RecordLanes::kColumns; column += 4)
       {
         double* const to = columns + std::size_t{ column } * kGroup + row;
         const __m256d a = _mm256_load_pd(rows[row] + column),
@@ -88,14 +84,14 @@ struct Avx2Lanes
       for (unsigned i = 0; i < 2; ++i)
       {
         const unsigned lanes = mask >> 8 * i & 0xffu;
-        bytes_[i] = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(kChosen.lanes[lanes]));
+        bytes_[i] = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(kChosen[lanes].data()));
         words_[i] = _mm256_cvtepu8_epi32(bytes_[i]);
       }
       for (unsigned i = 0; i < 4; ++i)
       {
         const unsigned lanes = mask >> 4 * i & 0xfu;
         const __m256i lane = _mm256_cvtepu8_epi64(
-          _mm_loadl_epi64(reinterpret_cast<const __m128i*>(kChosen.lanes[lanes])));
+          _mm_loadl_epi64(reinterpret_cast<const __m128i*>(kChosen[lanes].data())));
         // A double is two words: 2 lane and 2 lane + 1.
         doubles_[i] = _mm256_or_si256(_mm256_slli_epi64(lane, 1),
           _mm256_add_epi64(_mm256_slli_epi64(lane, 33), _mm256_set1_epi64x(0x100000000)));
@@ -103,10 +99,20 @@ struct Avx2Lanes
       }
     }
 
-    void operator()(const std::uint32_t* from, std::uint32_t* to) const { packWords(from, to); }
-    void operator()(const float* from, float* to) const { packWords(from, to); }
-    void operator()(const double* from, double* to) const { packDoubles(from, to); }
-    void operator()(const std::int64_t* from, std::int64_t* to) const { packDoubles(from, to); }
+    /// Values of one word or two.
+    template <class Value>
+    void operator()(const Value* from, Value* to) const
+    {
+      constexpr bool isWord = sizeof(Value) == 4;
+      constexpr std::size_t kLanes = isWord ? 8 : 4;
+      for (std::size_t i = 0; i < kPacked / kLanes; ++i)
+      {
+        const __m256i all = _mm256_load_si256(reinterpret_cast<const __m256i*>(from + kLanes * i));
+        const __m256i kept = _mm256_permutevar8x32_epi32(all, isWord ? words_[i] : doubles_[i]);
+        _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), kept);
+        to += isWord ? quarters_[0] + quarters_[1] : quarters_[i];
+      }
+    }
     void operator()(const std::uint8_t* from, std::uint8_t* to) const
     {
       for (unsigned i = 0; i < 2; ++i)
@@ -119,30 +125,6 @@ struct Avx2Lanes
     }
 
   private:
-    template <class Value>
-    void packWords(const Value* from, Value* to) const
-    {
-      for (unsigned i = 0; i < 2; ++i)
-      {
-        const __m256i all =
-          _mm256_load_si256(reinterpret_cast<const __m256i*>(from + std::size_t{ 8 } * i));
-        _mm256_storeu_si256(
-          reinterpret_cast<__m256i*>(to), _mm256_permutevar8x32_epi32(all, words_[i]));
-        to += quarters_[0] + quarters_[1];
-      }
-    }
-    template <class Value>
-    void packDoubles(const Value* from, Value* to) const
-    {
-      for (unsigned i = 0; i < 4; ++i)
-      {
-        const __m256i all = _mm256_load_si256(reinterpret_cast<const __m256i*>(from + 4 * i));
-        _mm256_storeu_si256(
-          reinterpret_cast<__m256i*>(to), _mm256_permutevar8x32_epi32(all, doubles_[i]));
-        to += quarters_[i];
-      }
-    }
-
     __m128i bytes_[2];
     __m256i words_[2], doubles_[4];
     int quarters_[4]; ///< how many stay of four lanes
@@ -159,9 +141,10 @@ private:
 
 }
 
-#define IRRADIANCE_LEVEL(name) name##Avx2
-#define IRRADIANCE_LANES Avx2Lanes
-#include "Shooting/FrontLoopsOf.inl"
+const FrontLoops& frontLoopsAvx2()
+{
+  return kLoops<Avx2Lanes>;
+}
 
 }
 

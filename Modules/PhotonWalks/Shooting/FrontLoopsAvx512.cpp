@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #ifdef __x86_64__
 
-#include "Sampling/CosineDirectionInFloat.h"
+#include "Sampling/DirectionSampling.h"
 #include "Shooting/FrontLoops.h"
 #include "Simd/Prefetch.h"
 #include "Simd/SimdTarget.h"
@@ -31,7 +31,7 @@ struct Avx512Lanes
 
   static void transpose(const double* const* rows, double* columns)
   {
-    for (unsigned column = 0; column < RecordLanes::Columns; column += 8)
+    for (unsigned column = 0; column < RecordLanes::kColumns; column += 8)
     {
       transposeSquare(rows, column, columns + std::size_t{ column } * kGroup);
     }
@@ -48,24 +48,20 @@ struct Avx512Lanes
     {
     }
 
-    void operator()(const std::uint32_t* from, std::uint32_t* to) const
+    /// Values of one word or two.
+    template <class Value>
+    void operator()(const Value* from, Value* to) const
     {
-      _mm512_storeu_si512(to, packed(_mm512_load_si512(from)));
-    }
-    void operator()(const float* from, float* to) const
-    {
-      _mm512_storeu_ps(to, _mm512_maskz_compress_ps(all_, _mm512_load_ps(from)));
-    }
-    void operator()(const double* from, double* to) const
-    {
-      _mm512_storeu_pd(to, _mm512_maskz_compress_pd(low_, _mm512_load_pd(from)));
-      _mm512_storeu_pd(to + lows_, _mm512_maskz_compress_pd(high_, _mm512_load_pd(from + 8)));
-    }
-    void operator()(const std::int64_t* from, std::int64_t* to) const
-    {
-      _mm512_storeu_si512(to, _mm512_maskz_compress_epi64(low_, _mm512_load_si512(from)));
-      _mm512_storeu_si512(
-        to + lows_, _mm512_maskz_compress_epi64(high_, _mm512_load_si512(from + 8)));
+      if constexpr (sizeof(Value) == 4)
+      {
+        _mm512_storeu_si512(to, packed(_mm512_load_si512(from)));
+      }
+      else
+      {
+        _mm512_storeu_si512(to, _mm512_maskz_compress_epi64(low_, _mm512_load_si512(from)));
+        _mm512_storeu_si512(
+          to + lows_, _mm512_maskz_compress_epi64(high_, _mm512_load_si512(from + 8)));
+      }
     }
     void operator()(const std::uint8_t* from, std::uint8_t* to) const
     {
@@ -115,9 +111,10 @@ private:
 
 }
 
-#define IRRADIANCE_LEVEL(name) name##Avx512
-#define IRRADIANCE_LANES Avx512Lanes
-#include "Shooting/FrontLoopsOf.inl"
+const FrontLoops& frontLoopsAvx512()
+{
+  return kLoops<Avx512Lanes>;
+}
 
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Sampling/CosineDirectionInFloat.h"
+#include "Sampling/DirectionSampling.h"
 #include "Shooting/FrontLoops.h"
 #include "Simd/Prefetch.h"
 
@@ -28,7 +28,7 @@ struct PlainLanes
 
   static void transpose(const double* const* rows, double* columns)
   {
-    for (unsigned column = 0; column < RecordLanes::Columns; ++column)
+    for (unsigned column = 0; column < RecordLanes::kColumns; ++column)
     {
       for (unsigned row = 0; row < RecordLanes::kRows; ++row)
       {
@@ -64,8 +64,9 @@ struct PlainLanes
 
 }
 
-#define IRRADIANCE_LEVEL(name) name##Plain
-#define IRRADIANCE_LANES PlainLanes
-#include "Shooting/FrontLoopsOf.inl"
+const FrontLoops& frontLoopsPlain()
+{
+  return kLoops<PlainLanes>;
+}
 
 }

@@ -37,45 +37,32 @@ Power FrontTally::powerOf(const WalkFront& front) const
 
 void FrontTally::change(const WalkFront& front, int sign)
 {
+  const Replicates& replicates = sums_.plan().replicates();
+  const auto perCell = static_cast<std::uint32_t>(sums_.slotsPerCell());
   for (std::size_t first = 0; first < front.size; first += kTogether)
   {
     const std::size_t end = std::min(first + kTogether, front.size);
-    findSlots(front, first, end);
+    frontLoops().findSlots({ SceneRows(triangles_), front, first, end, perCell, perCell / 2,
+      static_cast<std::uint32_t>(sums_.bands()), replicates.count(), replicates.firstWalk(),
+      counts_.escaped(), slots_ });
+    for (std::size_t i = first; sums_.rounds() > 1 && i < end; ++i) // each has sums of its own
+    {
+      if (front.hit[i] != WalkFront::kNone)
+      {
+        slots_[i - first] +=
+          static_cast<std::uint32_t>(sums_.plan().roundOf(front.walk[i]) * sums_.slotsPerRound());
+      }
+    }
     sums_.bands() == 1 ? changePhotons(front, first, end, sign)
                        : changePowers(front, first, end, sign);
   }
   balance_.segments += sign * static_cast<std::int64_t>(front.size);
 }
 
-void FrontTally::findSlots(const WalkFront& front, std::size_t first, std::size_t end)
-{
-  const Replicates& replicates = sums_.plan().replicates();
-  const auto perCell = static_cast<std::uint32_t>(sums_.slotsPerCell());
-  runSlots({ SceneRows(triangles_), front, first, end, perCell, perCell / 2,
-    static_cast<std::uint32_t>(sums_.bands()), replicates.count(), replicates.firstWalk(),
-    counts_.escaped(), slots_ });
-  if (sums_.rounds() > 1)
-  {
-    addRounds(front, first, end);
-  }
-}
-
-void FrontTally::addRounds(const WalkFront& front, std::size_t first, std::size_t end)
-{
-  for (std::size_t i = first; i < end; ++i)
-  {
-    if (front.hit[i] != WalkFront::kNone)
-    {
-      slots_[i - first] +=
-        static_cast<std::uint32_t>(sums_.plan().roundOf(front.walk[i]) * sums_.slotsPerRound());
-    }
-  }
-}
-
 void FrontTally::changePhotons(const WalkFront& front, std::size_t first, std::size_t end, int sign)
 {
   const std::size_t count = end - first;
-  sign > 0 ? counts_.add(slots_, count) : counts_.remove(slots_, count);
+  counts_.add(slots_, count, sign);
   const auto escaped = static_cast<std::int64_t>(
     std::count(front.hit.data() + first, front.hit.data() + end, WalkFront::kNone));
   const Power received = sign * (static_cast<std::int64_t>(count) - escaped) * photon_;

@@ -58,9 +58,6 @@ private:
   void change(const WalkFront& front, int sign);
   void changePhotons(const WalkFront& front, std::size_t first, std::size_t end, int sign);
   void changePowers(const WalkFront& front, std::size_t first, std::size_t end, int sign);
-  void findSlots(const WalkFront& front, std::size_t first, std::size_t end);
-  /// Walks of several rounds: each has sums of its own.
-  void addRounds(const WalkFront& front, std::size_t first, std::size_t end);
 
   const SceneTriangles& triangles_;
   CellSums& sums_;

@@ -128,7 +128,7 @@ void StoredRays::findSpecular(
       continue;
     }
     const Power incoming = history.power(SegmentPlace{ front.block[row], front.parent[row] });
-    const Reflection reflection = tracer.sampler().reflectionAt(
+    const Reflection reflection = tracer.stages().reflectionAt(
       triangles.idOf(front.start[row]), front.walk[row], front.bounce[row], incoming);
     if (reflection == Reflection::Specular)
     {
@@ -155,7 +155,7 @@ void StoredRays::findSpecular(
 /// The first rays of walks.
 void StoredRays::findFirst(const WalkTracer& tracer, WalkFront& front)
 {
-  first_.reserve(firstRows_.size(), tracer.sampler().bands());
+  first_.reserve(firstRows_.size(), tracer.stages().bands());
   first_.size = firstRows_.size();
   for (std::size_t i = 0; i < firstRows_.size(); ++i)
   {
@@ -168,22 +168,17 @@ void StoredRays::findFirst(const WalkTracer& tracer, WalkFront& front)
   }
 }
 
-void StoredRays::name(const WalkHistory& history, const Segments& segments, WalkFront& front)
+void StoredRays::find(const WalkTracer& tracer, const WalkHistory& history,
+  const std::vector<SegmentRef>& segments, Ray* rays)
 {
-  front.reserve(segments.size(), 1);
-  front.size = segments.size();
+  named_.reserve(segments.size(), 1);
+  named_.size = segments.size();
   for (std::size_t row = 0; row < segments.size(); ++row)
   {
     const SegmentPlace place = history.placeOf(segments[row]);
-    front.block[row] = static_cast<std::uint32_t>(place.block);
-    front.slot[row] = place.slot;
+    named_.block[row] = static_cast<std::uint32_t>(place.block);
+    named_.slot[row] = place.slot;
   }
-}
-
-void StoredRays::find(
-  const WalkTracer& tracer, const WalkHistory& history, const Segments& segments, Ray* rays)
-{
-  name(history, segments, named_);
   find(tracer, history, named_);
   for (std::size_t row = 0; row < segments.size(); ++row)
   {

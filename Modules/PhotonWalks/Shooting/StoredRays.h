@@ -27,10 +27,9 @@ public:
   /// with its weights and its side; not the distance.
   void find(const WalkTracer& tracer, const WalkHistory& history, WalkFront& front);
 
-  using Segments = std::vector<SegmentRef>;
   /// The rays of segments, one for each.
-  void find(
-    const WalkTracer& tracer, const WalkHistory& history, const Segments& segments, Ray* rays);
+  void find(const WalkTracer& tracer, const WalkHistory& history,
+    const std::vector<SegmentRef>& segments, Ray* rays);
 
 private:
   /// Only origins are of use if `isOnlyOrigins`: no directions of specular reflections are
@@ -40,7 +39,6 @@ private:
   void readStarts(const WalkHistory& history, WalkFront& front);
   void findSpecular(const WalkTracer& tracer, const WalkHistory& history, WalkFront& front);
   void findFirst(const WalkTracer& tracer, WalkFront& front);
-  void name(const WalkHistory& history, const Segments& segments, WalkFront& front);
 
   WalkFront named_, first_, before_;
   std::vector<std::uint32_t> firstRows_, specularRows_;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shooting/WalkBatch.h"
 
-#include "Progress/StageTimes.h"
-
 #include <algorithm>
 #include <stdexcept>
 #include <string>
@@ -24,12 +22,10 @@ void WalkBatch::begin(const WalkTracer& tracer, WalkHistory* history)
 
 void WalkBatch::start(FrontTally& tally)
 {
-  StageClock clock;
   started_ = now_.size;
   tracer_->stages().start(now_);
   // Direct light that cells gathered was tallied as absorbed; the part that they reflect is not.
   tracer_->startsAtCells() ? tally.release(now_) : tally.emit(now_);
-  clock.ends(Stage::Start);
 }
 
 void WalkBatch::resume(bool notesPlaces)
@@ -83,36 +79,28 @@ bool WalkBatch::isDone()
 bool WalkBatch::run(FrontTally& tally, const std::function<bool()>& hasToStop)
 {
   const WalkStages& stages = tracer_->stages();
-  StageClock clock;
   for (; !isDone(); ++rounds_)
   {
     if (hasToStop())
     {
       return false;
     }
-    clock.ends(Stage::Other);
     if (!areHitsKnown_)
     {
       tracer_->cast(now_, cast_);
     }
     areHitsKnown_ = false;
     segments_ += static_cast<std::int64_t>(now_.size);
-    clock.restarts(); // the cast has a clock of its own
     stages.findSides(now_);
-    clock.ends(Stage::Sides);
     tally.receive(now_);
     tally.check();
-    clock.ends(Stage::Receive);
     if (history_)
     {
       store();
-      clock.ends(Stage::Store);
     }
     stages.absorb(now_, next_);
     tally.release(next_);
-    clock.ends(Stage::Absorb);
     stages.leave(next_);
-    clock.ends(Stage::Leave);
     std::swap(now_, next_);
   }
   return true;
@@ -148,7 +136,7 @@ void WalkBatch::store()
     {
       ++end;
     }
-    history_->append(blocks[row], columns, row, end - row, now_.slot.data() + row);
+    history_->block(blocks[row]).append(columns, row, end - row, now_.slot.data() + row);
   }
   for (std::size_t row = 0; notesPlaces_ && row < now_.size; ++row)
   {

@@ -50,9 +50,9 @@ Vector3 roundedDirection(const Vector3& direction, const Vector3& normal)
   return nearest.dot(normal) > kGrazing ? nearest : rounded(direction + kLift * normal);
 }
 
-WalkStages::WalkStages(const WalkSampler& sampler, const SceneTriangles& triangles,
+WalkStages::WalkStages(const SceneObjects& objects, const SceneTriangles& triangles,
   const LightTable& lights, const SobolSequence& samples, const DirectRounds* gathered)
-  : sampler_(sampler)
+  : objects_(objects)
   , triangles_(triangles)
   , lights_(lights)
   , samples_(samples)
@@ -84,13 +84,16 @@ void WalkStages::startAtLights(WalkFront& front) const
 {
   assert(!lights_.isEmpty());
   front.pad();
-  runStart({ front, lightKeys_, positionKeys_, lights_.cumulativeFlux(), triangleOfLight_.data(),
-    front.candidate.data() });
+  frontLoops().start(
+    front, lightKeys_, positionKeys_, lights_.cumulativeFlux(), triangleOfLight_.data());
   if (triangles_.hasGlossy())
   {
     std::fill_n(front.isSpecular.data(), front.size, std::uint8_t{ 0 });
   }
-  setPowers(front);
+  for (std::size_t i = 0; bands() > 1 && i < front.size; ++i)
+  {
+    front.setPower(i, bands(), lights_.power(front.candidate[i]));
+  }
   leave(front);
   if (hasLightsInAir_)
   {
@@ -114,9 +117,9 @@ void WalkStages::startAtCells(WalkFront& front) const
       front.isSpecular[i] = start.isSpecular ? 1 : 0;
       setOrigin(front, i, sample.from);
     }
-    if (sampler_.bands() > 1)
+    if (bands() > 1)
     {
-      front.setPower(i, sampler_.bands(), start.power);
+      front.setPower(i, bands(), start.power);
     }
   }
   leave(front);
@@ -137,40 +140,32 @@ void WalkStages::startInAir(WalkFront& front) const
   }
 }
 
-void WalkStages::setPowers(WalkFront& front) const
-{
-  for (std::size_t i = 0; sampler_.bands() > 1 && i < front.size; ++i)
-  {
-    front.setPower(i, sampler_.bands(), lights_.power(front.candidate[i]));
-  }
-}
-
 void WalkStages::findSides(WalkFront& front) const
 {
   front.pad();
-  runSides({ SceneRows(triangles_), front });
+  frontLoops().findSides(front, SceneRows(triangles_));
 }
 
 void WalkStages::absorb(WalkFront& from, WalkFront& to) const
 {
-  to.reserve(from.size, sampler_.bands());
+  to.reserve(from.size, bands());
   to.size = 0;
   if (from.size == 0)
   {
     return;
   }
   from.pad();
-  if (sampler_.bands() == 1)
+  if (bands() == 1)
   {
-    runSurvive({ SceneRows(triangles_), from, survivalKeys_ });
+    frontLoops().survive(from, SceneRows(triangles_), survivalKeys_);
     chooseReflections(from);
   }
   else
   {
-    runDraw({ from, survivalKeys_, from.candidate.data() });
+    frontLoops().draw(from, survivalKeys_);
     decideByPowers(from);
   }
-  runPack({ from, to, triangles_.hasGlossy(), sampler_.bands() });
+  frontLoops().pack(from, to, triangles_.hasGlossy(), bands());
   checkEnds(to);
 }
 
@@ -184,9 +179,9 @@ void WalkStages::decideByPowers(WalkFront& front) const
       continue;
     }
     const TriangleId id = triangles_.idOf(front.hit[i]);
-    const Material& material = sampler_.materialOf(id.object);
-    const std::uint32_t cell = sampler_.cellOf(id);
-    const Power incoming = front.powerAt(i, sampler_.bands());
+    const Material& material = materialOf(id.object);
+    const std::uint32_t cell = cellOf(id);
+    const Power incoming = front.powerAt(i, bands());
     const SurvivalProbabilities survival = survivalProbabilities(incoming, material, cell);
     const double sample = SobolPoint::toUnit(front.candidate[i]);
     if (sample < survival.total())
@@ -195,8 +190,8 @@ void WalkStages::decideByPowers(WalkFront& front) const
         survival.specular == 0 ? Reflection::Diffuse : survival.chosenBy(sample);
       front.survivors[i / WalkFront::kGroup] |= 1u << i % WalkFront::kGroup;
       front.isSpecular[i] = reflection == Reflection::Specular ? 1 : 0;
-      front.setPower(i, sampler_.bands(),
-        survivingPower(incoming, material, cell, reflection, survival.of(reflection)));
+      front.setPower(
+        i, bands(), survivingPower(incoming, material, cell, reflection, survival.of(reflection)));
     }
   }
 }
@@ -212,7 +207,7 @@ void WalkStages::chooseReflections(WalkFront& front) const
       (front.survivors[i / WalkFront::kGroup] >> i % WalkFront::kGroup & 1u) != 0)
     {
       const Reflection reflection =
-        sampler_.reflectionAt(triangles_.idOf(hit), front.walk[i], front.bounce[i] + 1, {});
+        reflectionAt(triangles_.idOf(hit), front.walk[i], front.bounce[i] + 1, {});
       front.isSpecular[i] = reflection == Reflection::Specular ? 1 : 0;
     }
   }
@@ -238,39 +233,57 @@ void WalkStages::leave(WalkFront& front) const
     return;
   }
   front.pad();
-  const std::vector<Specular> specular = specularOf(front);
-  runLeave({ SceneRows(triangles_), front, directionKeys_ });
-  leaveSpecularly(front, specular);
+  const auto specular = specularDirections(front); // the loop overwrites what it reads
+  frontLoops().leave(front, SceneRows(triangles_), directionKeys_);
+  for (const auto& [row, direction] : specular)
+  {
+    setDirection(front, row, direction);
+  }
 }
 
-/// What the loop overwrites of the few that leave specularly.
-std::vector<WalkStages::Specular> WalkStages::specularOf(const WalkFront& front) const
+/// Each has a lobe of its own.
+std::vector<std::pair<std::size_t, Vector3>> WalkStages::specularDirections(
+  const WalkFront& front) const
 {
-  std::vector<Specular> specular;
+  std::vector<std::pair<std::size_t, Vector3>> directions;
   for (std::size_t i = 0; triangles_.hasGlossy() && i < front.size; ++i)
   {
-    if (front.isSpecular[i] != 0)
+    if (front.isSpecular[i] == 0)
     {
-      const double b = front.weightB[i], c = front.weightC[i];
-      specular.push_back(
-        { i, { front.originX[i], front.originY[i], front.originZ[i] }, { 1 - b - c, b, c } });
+      continue;
     }
+    const double b = front.weightB[i], c = front.weightC[i];
+    SurfacePoint point = surfacePoint(triangleOf(triangles_, front.start[i]), { 1 - b - c, b, c });
+    point.turn(front.side[i] != 0);
+    const auto sample = [&](SampleUse use) {
+      return samples_.sample(front.walk[i], front.bounce[i], use);
+    };
+    const LobeSample samples{ sample(SampleUse::Direction), sample(SampleUse::Acceptance)[0],
+      sample(SampleUse::Compensation) };
+    const Vector3 incoming =
+      incomingDirection(point, { front.originX[i], front.originY[i], front.originZ[i] });
+    const TriangleId id = triangles_.idOf(front.start[i]);
+    const PhongLobe& lobe = materialOf(id.object).lobeOf(cellOf(id));
+    directions.emplace_back(
+      i, roundedDirection(lobe.sample(point.normal, incoming, samples), point.normal));
   }
-  return specular;
+  return directions;
 }
 
-/// Their sides and origins are those that the loop found. They are few, and each has a lobe of its
-/// own.
-void WalkStages::leaveSpecularly(WalkFront& front, const std::vector<Specular>& specular) const
+Reflection WalkStages::reflectionAt(
+  const TriangleId& hit, std::uint32_t walk, std::uint32_t bounce, const Power& incoming) const
 {
-  for (const auto& [i, from, weights] : specular)
+  const Material& material = materialOf(hit.object);
+  if (!material.isSpecular())
   {
-    SurfacePoint point = surfacePoint(triangleOf(triangles_, front.start[i]), weights);
-    point.turn(front.side[i] != 0);
-    const Vector3 direction = sampler_.specularDirection(
-      point, triangles_.idOf(front.start[i]), from, front.walk[i], front.bounce[i]);
-    setDirection(front, i, roundedDirection(direction, point.normal));
+    return Reflection::Diffuse;
   }
+  const SurvivalProbabilities probabilities =
+    survivalProbabilities(incoming, material, cellOf(hit));
+  // Most cells of a shiny object may be matte: what survives there needs no sample.
+  return probabilities.specular == 0
+    ? Reflection::Diffuse
+    : probabilities.chosenBy(samples_.sample(walk, bounce, SampleUse::Survival)[0]);
 }
 
 }

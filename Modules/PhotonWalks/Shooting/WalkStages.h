@@ -2,18 +2,32 @@
 #ifndef irradiance_WalkStages_h
 #define irradiance_WalkStages_h
 
-#include "DirectLight/DirectRounds.h"
-#include "Sampling/BounceKeys.h"
+#include "DirectLight/DirectGather.h"
+#include "Lights/LightTable.h"
+#include "Meshes/SurfacePoint.h"
+#include "Sampling/SampleGroup.h"
 #include "Shooting/FrontTally.h"
 #include "Shooting/WalkFront.h"
-#include "Shooting/WalkSampler.h"
+#include "Surfaces/Absorption.h"
 #include "Surfaces/SceneTriangles.h"
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace irradiance
 {
+
+/// The unit direction in which light that comes `from` a point hits a surface, against its normal.
+inline Vector3 incomingDirection(const SurfacePoint& point, const Vector3& from)
+{
+  const Vector3 incoming = (point.position - from).normalized();
+  // Points that touch are too close to tell.
+  return incoming.dot(point.normal) < 0 ? incoming : Vector3(-point.normal);
+}
+
+/// A direction rounded to float that still points to the side of the unit normal.
+Vector3 roundedDirection(const Vector3& direction, const Vector3& normal);
 
 /**
  * The stages of a bounce, each for a whole front:
@@ -31,7 +45,7 @@ class WalkStages
 public:
   /// The arguments must outlive the stages. `gathered`: walks start there instead of at the lights;
   /// or null.
-  WalkStages(const WalkSampler& sampler, const SceneTriangles& triangles, const LightTable& lights,
+  WalkStages(const SceneObjects& objects, const SceneTriangles& triangles, const LightTable& lights,
     const SobolSequence& samples, const DirectRounds* gathered = nullptr);
 
   /// Walks leave their lights, areas or points in the air. Reads walk, for which any numbers of the
@@ -60,25 +74,41 @@ public:
    */
   void leave(WalkFront& front) const;
 
+  // What a single walk does.
+  int bands() const { return objects_.staticObject.material->bands; }
+  /// The power with which a walk starts; its light decides.
+  Power powerOf(std::uint32_t walk) const { return lights_.power(numberOfLight(walk)); }
+  /// The light from which a walk starts.
+  const Light& lightOf(std::uint32_t walk) const { return lights_[numberOfLight(walk)]; }
+  /// The power of every walk, if there is one band.
+  Power powerPerWalk() const { return { { lights_.quantaPerWalk() } }; }
+  const Material& materialOf(std::uint32_t object) const { return *objects_[object].material; }
+  std::uint32_t cellOf(const TriangleId& id) const
+  {
+    return materialOf(id.object).cellOfTriangle[id.triangle];
+  }
+  /// How a walk leaves the hit of its segment before `bounce`, given that it survives. `incoming`:
+  /// the power of that segment; matters only if there are several bands.
+  Reflection reflectionAt(
+    const TriangleId& hit, std::uint32_t walk, std::uint32_t bounce, const Power& incoming) const;
+
 private:
+  std::size_t numberOfLight(std::uint32_t walk) const
+  {
+    return lights_.choose(samples_.sample(walk, 0, SampleUse::Light)[0]);
+  }
   /// Several bands: whether a walk survives depends on its powers, which change.
   void decideByPowers(WalkFront& front) const;
   void chooseReflections(WalkFront& front) const;
   void startAtLights(WalkFront& front) const;
   void startAtCells(WalkFront& front) const;
   void startInAir(WalkFront& front) const;
-  void setPowers(WalkFront& front) const;
-  /// A walk that leaves specularly: its row, whence the light came, and the point that it leaves.
-  struct Specular
-  {
-    std::size_t row;
-    Vector3 from, weights;
-  };
-  std::vector<Specular> specularOf(const WalkFront& front) const;
-  void leaveSpecularly(WalkFront& front, const std::vector<Specular>& specular) const;
+  /// Of the few walks that leave specularly, by row. They follow from where the segments before
+  /// began, and from the points that are left, as both follow from what is stored.
+  std::vector<std::pair<std::size_t, Vector3>> specularDirections(const WalkFront& front) const;
   void checkEnds(const WalkFront& front) const;
 
-  const WalkSampler& sampler_;
+  const SceneObjects& objects_;
   const SceneTriangles& triangles_;
   const LightTable& lights_;
   const SobolSequence& samples_;
@@ -87,9 +117,6 @@ private:
   std::vector<std::uint32_t> triangleOfLight_;
   bool hasLightsInAir_ = false;
 };
-
-/// A direction rounded to float that still points to the side of the unit normal.
-Vector3 roundedDirection(const Vector3& direction, const Vector3& normal);
 
 }
 

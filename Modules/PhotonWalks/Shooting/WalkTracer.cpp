@@ -9,12 +9,12 @@ namespace irradiance
 namespace
 {
 
-FrontRays raysOf(WalkFront& front)
+TreeRays raysOf(WalkFront& front)
 {
   return { static_cast<std::uint32_t>(front.size),
     { front.originX.data(), front.originY.data(), front.originZ.data() },
     { front.directionX.data(), front.directionY.data(), front.directionZ.data() },
-    front.start.data(), front.distance.data(), front.hit.data(),
+    { nullptr, nullptr, nullptr }, front.start.data(), front.distance.data(), front.hit.data(),
     { front.weightB.data(), front.weightC.data() } };
 }
 

@@ -21,8 +21,7 @@ public:
     const DirectRounds* gathered = nullptr)
     : scene_(scene)
     , triangles_(triangles)
-    , sampler_(objects, lights, samples)
-    , stages_(sampler_, triangles, lights, samples, gathered)
+    , stages_(objects, triangles, lights, samples, gathered)
     , contacts_(contacts)
     , gathered_(gathered)
   {
@@ -32,7 +31,6 @@ public:
 
   const Scene& scene() const { return scene_; }
   const SceneTriangles& triangles() const { return triangles_; }
-  const WalkSampler& sampler() const { return sampler_; }
   const WalkStages& stages() const { return stages_; }
 
   // Each finds the hits of the rays of a front: the closest triangles, and among triangles that
@@ -64,7 +62,7 @@ public:
   /// The power of every walk, if there is one band.
   Power powerPerWalk() const
   {
-    return gathered_ ? Power{ { gathered_->quantaPerWalk() } } : sampler_.powerPerWalk();
+    return gathered_ ? Power{ { gathered_->quantaPerWalk() } } : stages_.powerPerWalk();
   }
   /// Whether walks start where direct light was gathered.
   bool startsAtCells() const { return gathered_ != nullptr; }
@@ -72,7 +70,7 @@ public:
   std::uint32_t startOf(std::uint32_t walk) const
   {
     return gathered_ ? gathered_->sampleOf(walk).triangle
-                     : triangles_.numberOf(sampler_.lightOf(walk).triangle());
+                     : triangles_.numberOf(stages_.lightOf(walk).triangle());
   }
   Ray rayOf(const WalkFront& front, std::size_t row) const
   {
@@ -87,7 +85,6 @@ private:
 
   const Scene& scene_;
   const SceneTriangles& triangles_;
-  WalkSampler sampler_;
   WalkStages stages_;
   const Contacts* contacts_;
   const DirectRounds* gathered_;

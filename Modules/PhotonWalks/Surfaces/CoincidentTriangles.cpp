@@ -3,7 +3,7 @@
 
 #include "Execution/SlicedPass.h"
 #include "Surfaces/Touching.h"
-#include "Trees/BoxQuery.h"
+#include "Trees/LeafQuery.h"
 
 #include <algorithm>
 
@@ -104,14 +104,11 @@ std::vector<std::vector<TrianglePair>> coincidentWithin(
       units.push_back({ i, first, {} });
     }
   }
-  SlicedPass pass{ units.size(), [&](std::size_t number, const Deadline&) {
-                    Unit& unit = units[number];
-                    const RigidObject& body = *bodies[unit.body];
-                    addPairs(body, unit.first, std::min(unit.first + kTogether, body.mesh().size()),
-                      unit.pairs);
-                    return true;
-                  } };
-  pass.run(execution);
+  forEachSliced(units.size(), execution, [&](std::size_t number) {
+    Unit& unit = units[number];
+    const RigidObject& body = *bodies[unit.body];
+    addPairs(body, unit.first, std::min(unit.first + kTogether, body.mesh().size()), unit.pairs);
+  });
   std::vector<std::vector<TrianglePair>> pairs(bodies.size());
   for (const Unit& unit : units)
   {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/ContactLight.h"
 
-#include "Geometry/MovedBox.h"
 #include "Meshes/ShellNesting.h"
 #include "Surfaces/Touching.h"
 

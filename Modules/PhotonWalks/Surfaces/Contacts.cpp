@@ -5,7 +5,7 @@
 #include "Meshes/ShellNesting.h"
 #include "Surfaces/ContactLight.h"
 #include "Surfaces/Touching.h"
-#include "Trees/BoxQuery.h"
+#include "Trees/LeafQuery.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/LobeLoss.h"
 
-#include "Geometry/Pi.h"
+#include "Geometry/Vector.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/ObjectSides.h"
 
-#include "Geometry/MovedBox.h"
 #include "Meshes/ShellNesting.h"
 #include "Trees/SimpleShells.h"
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/PhongLobe.h"
 
-#include "Geometry/Pi.h"
 #include "Sampling/DirectionSampling.h"
-#include "Sampling/PowUnit.h"
+#include "Sampling/ElementaryFunctions.h"
 #include "Surfaces/LobeLoss.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #ifndef irradiance_SceneObjects_h
 #define irradiance_SceneObjects_h
 
-#include "Scene/PlacedBody.h"
+#include "Scene/RigidObject.h"
 #include "Surfaces/Emission.h"
 #include "Surfaces/Material.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/Touching.h"
 
-#include "Trees/BoxQuery.h"
+#include "Trees/LeafQuery.h"
 
 namespace irradiance
 {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cstring>
+#include <functional>
 #include <numeric>
 #include <utility>
 
@@ -20,24 +21,32 @@ void copy(const std::vector<Number>& from, std::size_t first, std::size_t size,
   std::copy_n(from.data() + first, size, to.data() + firstThere);
 }
 
-/// With many replicates this is a lot of memory. Taken piece by piece, no step takes long.
-template <class Number>
-void resize(std::vector<Number>& sums, std::size_t size, const CancelPoint& cancelPoint)
+/// Calls visit(first, end) for pieces of all numbers below `size`, so that no step takes long.
+template <class Visit>
+void forPieces(std::size_t size, const CancelPoint& cancelPoint, const Visit& visit)
 {
-  constexpr std::size_t kPiece = std::size_t{ 1 } << 20;
-  std::vector<Number> now;
-  now.reserve(size);
-  while (now.size() < size)
+  constexpr std::size_t kPiece = std::size_t{ 1 } << 18;
+  for (std::size_t first = 0; first < size; first += kPiece)
   {
-    const std::size_t first = now.size(), end = std::min(first + kPiece, size);
-    now.insert(now.end(), sums.data() + std::min(first, sums.size()),
-      sums.data() + std::min(end, sums.size()));
-    now.resize(end);
+    visit(first, std::min(first + kPiece, size));
     if (cancelPoint)
     {
       cancelPoint();
     }
   }
+}
+
+/// With many replicates this is a lot of memory.
+template <class Number>
+void resize(std::vector<Number>& sums, std::size_t size, const CancelPoint& cancelPoint)
+{
+  std::vector<Number> now;
+  now.reserve(size);
+  forPieces(size, cancelPoint, [&](std::size_t first, std::size_t end) {
+    now.insert(now.end(), sums.data() + std::min(first, sums.size()),
+      sums.data() + std::min(end, sums.size()));
+    now.resize(end);
+  });
   sums.swap(now);
 }
 
@@ -57,7 +66,7 @@ CellSums::CellSums(const SceneObjects& objects, const WalkPlan& plan, std::size_
   }
   roundSize_ = numbers_.size() * slotsPerCell();
   gatheredFirst_ = slotsBefore(gatherers.first);
-  gatheredSize_ = slotsBefore(gatherers.end) - gatheredFirst_;
+  gatheredSize_ = slotsBefore(gatherers.second) - gatheredFirst_;
   setRounds(rounds);
 }
 
@@ -80,8 +89,8 @@ void CellSums::replace(const SceneObjects& objects, const CancelPoint& cancelPoi
     {
       if (now.materials_[object] == materials_[object])
       {
-        const std::size_t first = slot({ round, 0 }, { object, 0, 0 });
-        const std::size_t firstNow = now.slot({ round, 0 }, { object, 0, 0 });
+        const std::size_t first = slotOf({ object, 0, 0 }, 0, round);
+        const std::size_t firstNow = now.slotOf({ object, 0, 0 }, 0, round);
         const std::size_t size = materials_[object]->numberOfCells * slotsPerCell();
         areShot_ ? copy(sums_, first, size, now.sums_, firstNow) : void();
         if (gathers({ object, 0 }))
@@ -160,73 +169,39 @@ void CellSums::addCounts(std::int32_t* counts, std::int64_t quanta)
 void CellSums::add(const CellSums& others, const CancelPoint& cancelPoint)
 {
   assert(others.sums_.size() == sums_.size());
-  constexpr std::size_t kPiece = std::size_t{ 1 } << 20;
-  for (std::size_t i = 0; i < sums_.size(); ++i)
-  {
-    sums_[i] += others.sums_[i];
-    if (i % kPiece == 0 && cancelPoint)
-    {
-      cancelPoint();
-    }
-  }
+  forPieces(sums_.size(), cancelPoint, [&](std::size_t first, std::size_t end) {
+    std::transform(sums_.data() + first, sums_.data() + end, others.sums_.data() + first,
+      sums_.data() + first, std::plus<>());
+  });
   addGathered(others, cancelPoint);
 }
 
 void CellSums::addGathered(const CellSums& others, const CancelPoint& cancelPoint)
 {
-  constexpr std::size_t kPiece = std::size_t{ 1 } << 20;
-  for (std::size_t i = 0; i < others.gathered_.size(); ++i)
-  {
-    const std::size_t round = i / others.gatheredSize_, at = i - round * others.gatheredSize_;
-    gathered_[round * gatheredSize_ + others.gatheredFirst_ - gatheredFirst_ + at] +=
-      others.gathered_[i];
-    if (i % kPiece == 0 && cancelPoint)
+  forPieces(others.gathered_.size(), cancelPoint, [&](std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i)
     {
-      cancelPoint();
+      const std::size_t round = i / others.gatheredSize_, at = i - round * others.gatheredSize_;
+      gathered_[round * gatheredSize_ + others.gatheredFirst_ - gatheredFirst_ + at] +=
+        others.gathered_[i];
     }
-  }
+  });
 }
 
 void CellSums::sumOver(Ranks& ranks, const CancelPoint& cancelPoint)
 {
-  constexpr std::size_t kPiece = std::size_t{ 1 } << 18;
-  for (std::size_t i = 0; i < sums_.size(); i += kPiece)
-  {
-    cancelPoint();
-    ranks.sum(&sums_[i], std::min(kPiece, sums_.size() - i));
-  }
+  forPieces(sums_.size(), cancelPoint,
+    [&](std::size_t first, std::size_t end) { ranks.sum(&sums_[first], end - first); });
   // One rank alone has a number that is not 0, and the bits of 0 are 0: the sum of the bits is that
   // number.
   static_assert(sizeof(double) == sizeof(std::int64_t));
   std::vector<std::int64_t> bits;
-  for (std::size_t i = 0; i < gathered_.size(); i += kPiece)
-  {
-    cancelPoint();
-    bits.resize(std::min(kPiece, gathered_.size() - i));
-    std::memcpy(bits.data(), &gathered_[i], bits.size() * sizeof(double));
+  forPieces(gathered_.size(), cancelPoint, [&](std::size_t first, std::size_t end) {
+    bits.resize(end - first);
+    std::memcpy(bits.data(), &gathered_[first], bits.size() * sizeof(double));
     ranks.sum(bits.data(), bits.size());
-    std::memcpy(&gathered_[i], bits.data(), bits.size() * sizeof(double));
-  }
-}
-
-std::int64_t CellSums::shot(const CellSide& cell, int band, std::size_t rounds) const
-{
-  std::int64_t total = 0;
-  for (std::uint32_t replicate = 0; replicate < plan_.replicates().count(); ++replicate)
-  {
-    total += shot(cell, band, replicate, rounds);
-  }
-  return total;
-}
-
-double CellSums::gathered(const CellSide& cell, int band, std::size_t rounds) const
-{
-  double total = 0;
-  for (std::uint32_t replicate = 0; replicate < plan_.replicates().count(); ++replicate)
-  {
-    total += gathered(cell, band, replicate, rounds);
-  }
-  return total;
+    std::memcpy(&gathered_[first], bits.data(), bits.size() * sizeof(double));
+  });
 }
 
 }

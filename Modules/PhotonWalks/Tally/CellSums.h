@@ -3,9 +3,10 @@
 #define irradiance_CellSums_h
 
 #include "Execution/Ranks.h"
-#include "History/Contribution.h"
+#include "Geometry/Ray.h"
 #include "Sampling/WalkPlan.h"
 #include "Surfaces/Bands.h"
+#include "Surfaces/Power.h"
 #include "Surfaces/SceneCells.h"
 
 #include <array>
@@ -13,6 +14,7 @@
 #include <memory>
 #include <mutex>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace irradiance
@@ -25,11 +27,8 @@ struct Deposit
   std::int64_t quanta;
 };
 
-/// Objects [first, end), whose cells gather.
-struct FinalGatherers
-{
-  std::uint32_t first = 0, end = 0;
-};
+/// Objects [first, second), whose cells gather.
+using FinalGatherers = std::pair<std::uint32_t, std::uint32_t>;
 
 /// The power that each side of a cell receives, in quanta. Adding a photon adds its power, removing
 /// it subtracts it. Threads collect deposits and add many at a time; the result does not depend on
@@ -70,18 +69,21 @@ public:
   const FinalGatherers& gatherers() const { return gatherers_; }
   bool gathers(const SceneCell& cell) const
   {
-    return cell.object >= gatherers_.first && cell.object < gatherers_.end;
+    return cell.object >= gatherers_.first && cell.object < gatherers_.second;
   }
 
   /// Where the photons of a walk on the front of a cell are added.
   std::size_t slotOf(std::uint32_t walk, const SceneCell& cell) const
   {
-    return slot(groupOf(walk), { cell, 0 });
+    return slotOf({ cell, 0 }, plan_.replicates().replicateOf(walk), plan_.roundOf(walk));
   }
   /// Where what a replicate brings to a side of a cell in a round is added.
   std::size_t slotOf(const CellSide& cell, std::uint32_t replicate, std::size_t round) const
   {
-    return slot({ round, replicate }, cell);
+    assert(sides_ == 1 || cell.side != CellSide::kBoth);
+    const std::size_t part = numbers_[cell] * static_cast<std::size_t>(sides_) +
+      (sides_ == 2 ? static_cast<std::size_t>(cell.side) : 0);
+    return round * roundSize_ + part * sideSize() + replicate * static_cast<std::size_t>(bands_);
   }
   /// How slots are numbered: by round, then cell, side, replicate and band.
   std::size_t slotsPerRound() const { return roundSize_; }
@@ -105,23 +107,8 @@ public:
       deposits.push_back({ first + static_cast<std::size_t>(band), sign * power[band] });
     }
   }
-  /// Likewise of what a stored segment brought.
-  void collect(const Contribution& brought, int sign, std::vector<Deposit>& deposits) const
-  {
-    collect(slotOf(brought.segment.walk, cellOf(brought.hit.id)), brought.isFront, brought.power,
-      sign, deposits);
-  }
   /// May be called by many threads at once.
   void add(const std::vector<Deposit>& deposits);
-  /// Of a photon on a cell with this slot, at once. For one thread alone.
-  void add(std::size_t slot, bool isFront, const Power& power)
-  {
-    std::int64_t* const sums = &sums_[isFront ? slot : backOf(slot)];
-    for (int band = 0; band < bands_; ++band)
-    {
-      sums[band] += power[band];
-    }
-  }
   /// Adds counts of photons of one power, one for each slot of the sums, and sets them to 0. May be
   /// called by many threads at once.
   void addCounts(std::int32_t* counts, std::int64_t quanta);
@@ -167,39 +154,44 @@ public:
     return sums;
   }
   /// What walks brought.
-  std::int64_t shot(const CellSide& cell, int band, std::size_t rounds) const;
+  std::int64_t shot(const CellSide& cell, int band, std::size_t rounds) const
+  {
+    return overReplicates([&](std::uint32_t i) { return shot(cell, band, i, rounds); });
+  }
   std::int64_t shot(
     const CellSide& cell, int band, std::uint32_t replicate, std::size_t rounds) const
   {
     return overSides(cell, [&](const CellSide& side) {
-      return sumOf(sums_, slot({ 0, replicate }, side), roundSize_, band, rounds);
+      return sumOf(sums_, slotOf(side, replicate, 0), roundSize_, band, rounds);
     });
   }
   /// What the cell gathered.
-  double gathered(const CellSide& cell, int band, std::size_t rounds) const;
+  double gathered(const CellSide& cell, int band, std::size_t rounds) const
+  {
+    return overReplicates([&](std::uint32_t i) { return gathered(cell, band, i, rounds); });
+  }
   double gathered(const CellSide& cell, int band, std::uint32_t replicate, std::size_t rounds) const
   {
     return !gathers(cell) ? 0.0 : overSides(cell, [&](const CellSide& side) {
       return sumOf(
-        gathered_, gatheredPlace(slot({ 0, replicate }, side)), gatheredSize_, band, rounds);
+        gathered_, gatheredPlace(slotOf(side, replicate, 0)), gatheredSize_, band, rounds);
     });
   }
 
   /// Replaces what the walks of a replicate brought in the first round.
   void set(const CellSide& cell, int band, std::uint32_t replicate, std::int64_t quanta)
   {
-    sums_[slot({ 0, replicate }, cell) + static_cast<std::size_t>(band)] = quanta;
+    sums_[slotOf(cell, replicate, 0) + static_cast<std::size_t>(band)] = quanta;
   }
   /// Replaces what a cell of the gatherers gathered for a replicate in the first round.
   void setGathered(const CellSide& cell, int band, std::uint32_t replicate, double quanta)
   {
-    gathered_[gatheredPlace(slot({ 0, replicate }, cell)) + static_cast<std::size_t>(band)] =
-      quanta;
+    gathered_[gatheredPlace(slotOf(cell, replicate, 0)) + static_cast<std::size_t>(band)] = quanta;
   }
   /// Likewise, in all bands.
   void setGathered(const CellSide& cell, std::uint32_t replicate, const Bands& quanta)
   {
-    std::copy_n(quanta.begin(), bands_, &gathered_[gatheredPlace(slot({ 0, replicate }, cell))]);
+    std::copy_n(quanta.begin(), bands_, &gathered_[gatheredPlace(slotOf(cell, replicate, 0))]);
   }
 
   const CellNumbers& numbers() const { return numbers_; }
@@ -208,23 +200,6 @@ public:
   const WalkPlan& plan() const { return plan_; }
 
 private:
-  /// Walks whose deposits go to the same sums.
-  struct Group
-  {
-    std::size_t round = 0, replicate = 0;
-  };
-  Group groupOf(std::uint32_t walk) const
-  {
-    return { plan_.roundOf(walk), plan_.replicates().replicateOf(walk) };
-  }
-  std::size_t slot(const Group& group, const CellSide& cell) const
-  {
-    assert(sides_ == 1 || cell.side != CellSide::kBoth);
-    const std::size_t part = numbers_[cell] * static_cast<std::size_t>(sides_) +
-      (sides_ == 2 ? static_cast<std::size_t>(cell.side) : 0);
-    return group.round * roundSize_ + part * sideSize() +
-      group.replicate * static_cast<std::size_t>(bands_);
-  }
   /// Of the objects before this one, in a round.
   std::size_t slotsBefore(std::uint32_t object) const
   {
@@ -236,6 +211,16 @@ private:
   {
     const std::size_t round = roundSize_ > 0 ? slot / roundSize_ : 0;
     return round * gatheredSize_ + slot - round * roundSize_ - gatheredFirst_;
+  }
+  template <class Sum>
+  std::invoke_result_t<Sum, std::uint32_t> overReplicates(const Sum& sum) const
+  {
+    std::invoke_result_t<Sum, std::uint32_t> total = 0;
+    for (std::uint32_t replicate = 0; replicate < plan_.replicates().count(); ++replicate)
+    {
+      total += sum(replicate);
+    }
+    return total;
   }
   /// Of a side, or of both.
   template <class Sum>

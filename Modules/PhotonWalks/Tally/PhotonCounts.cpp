@@ -39,7 +39,7 @@ PhotonCounts::~PhotonCounts()
   }
 }
 
-void PhotonCounts::change(const std::uint32_t* slots, std::size_t count, std::int32_t sign)
+void PhotonCounts::add(const std::uint32_t* slots, std::size_t count, std::int32_t sign)
 {
   if (!table_)
   {

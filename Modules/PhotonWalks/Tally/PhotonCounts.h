@@ -25,9 +25,8 @@ public:
   PhotonCounts(const PhotonCounts&) = delete;
   PhotonCounts& operator=(const PhotonCounts&) = delete;
 
-  /// `slots` may be that of no sum, escaped(), too.
-  void add(const std::uint32_t* slots, std::size_t count) { change(slots, count, 1); }
-  void remove(const std::uint32_t* slots, std::size_t count) { change(slots, count, -1); }
+  /// `slots` may be that of no sum, escaped(), too. `sign`: -1 takes photons back.
+  void add(const std::uint32_t* slots, std::size_t count, std::int32_t sign = 1);
   /// The slot of photons that no cell receives.
   std::uint32_t escaped() const { return static_cast<std::uint32_t>(sums_.slots()); }
 
@@ -37,7 +36,6 @@ private:
   /// So many photons fit an entry of the table.
   static constexpr std::size_t kMostPhotons = std::size_t{ 1 } << 30;
 
-  void change(const std::uint32_t* slots, std::size_t count, std::int32_t sign);
   void flush();
 
   CellSums& sums_;

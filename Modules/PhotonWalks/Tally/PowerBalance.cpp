@@ -42,11 +42,11 @@ void checkReceived(const PowerBalance& balance)
   }
 }
 
-void SharedBalance::add(const PowerBalance& part)
+void addLocked(const PowerBalance& part, PowerBalance& total, std::mutex& mutex)
 {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  total_ += part;
-  checkReceived(total_);
+  const std::lock_guard<std::mutex> lock(mutex);
+  total += part;
+  checkReceived(total);
 }
 
 }

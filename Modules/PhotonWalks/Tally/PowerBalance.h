@@ -31,6 +31,9 @@ void sumOver(Ranks& ranks, PowerBalance& balance);
 /// Throws std::overflow_error when cell sums might overflow.
 void checkReceived(const PowerBalance& balance);
 
+/// Adds a part to a total that threads share. Throws as checkReceived() does.
+void addLocked(const PowerBalance& part, PowerBalance& total, std::mutex& mutex);
+
 /// Whether more was absorbed than there is, beyond noise and rounding; W in a band. `error`: the
 /// standard error of what escaped.
 inline bool isExcess(double emitted, double escaped, double error)
@@ -38,24 +41,6 @@ inline bool isExcess(double emitted, double escaped, double error)
   constexpr double kSure = 5, kRounding = 1e-9;
   return escaped < -kSure * error - kRounding * emitted;
 }
-
-/// A balance to which several threads add.
-class SharedBalance
-{
-public:
-  /// `total` must outlive this.
-  explicit SharedBalance(PowerBalance& total)
-    : total_(total)
-  {
-  }
-
-  /// Throws as checkReceived() does.
-  void add(const PowerBalance& part);
-
-private:
-  PowerBalance& total_;
-  std::mutex mutex_;
-};
 
 }
 

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Views/OutgoingRadiance.h"
 
-#include "Geometry/Pi.h"
-#include "Views/ReplicateParts.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace irradiance
 {
@@ -29,7 +26,7 @@ std::vector<OutgoingRadiance::Light> OutgoingRadiance::at(
   PathSums brought;
   if (gather_)
   {
-    brought = gather_->broughtBy(gather_->follow([&](FinalGatherPaths& paths) {
+    const FollowedPaths followed = gather_->follow([&](FinalGatherPaths& paths) {
       for (const SceneCell& cell : cells)
       {
         if (isSpecular(cell))
@@ -41,7 +38,8 @@ std::vector<OutgoingRadiance::Light> OutgoingRadiance::at(
             [&](const Vector3& point) { return eye.directionFrom(point); });
         }
       }
-    }));
+    });
+    brought = PathSums(gather_->scene(), followed);
   }
   std::vector<Light> lights;
   lights.reserve(cells.size());
@@ -55,63 +53,56 @@ std::vector<OutgoingRadiance::Light> OutgoingRadiance::at(
 }
 
 /// Each triangle of the cell shows the eye one of its sides.
-std::vector<OutgoingRadiance::SeenSide> OutgoingRadiance::sidesOf(
-  const SceneCell& cell, const Eye& eye) const
+OutgoingRadiance::SeenParts OutgoingRadiance::partsOf(const SceneCell& cell, const Eye& eye) const
 {
   const std::size_t number = engine_.cells().numbers()[cell];
-  double front = 0, back = 0; // parts of the area
+  double front = 0, back = 0; // m2
   std::for_each(shapes_.begin(number), shapes_.end(number), [&](std::uint32_t i) {
     const Triangle triangle = triangleOf(engine_.frame().triangles, i);
     const Vector3 toEye = eye.directionFrom((triangle.a + triangle.b + triangle.c) / 3);
     (toEye.dot(triangle.areaVector()) >= 0 ? front : back) += triangle.area();
   });
-  std::vector<SeenSide> sides;
-  for (const bool isFront : { true, false })
-  {
-    if ((isFront ? front : back) > 0)
-    {
-      const int side = !engine_.settings().separateSides ? CellSide::kBoth : isFront ? 0 : 1;
-      sides.push_back({ { cell, side }, isFront, (isFront ? front : back) / (front + back) });
-    }
-  }
-  return sides;
+  const double area = front + back;
+  return { front > 0 ? front / area : 0, back > 0 ? back / area : 0 };
 }
 
 OutgoingRadiance::Light OutgoingRadiance::lightOf(
   const SceneCell& cell, const Eye& eye, const std::vector<Bands>& specular) const
 {
   const Material& material = materialOf(cell);
-  const std::vector<SeenSide> sides = sidesOf(cell, eye);
+  const SeenParts parts = partsOf(cell, eye);
   Light light;
-  for (int band = 0; band < material.bands && !sides.empty(); ++band)
+  for (int band = 0; band < material.bands && (parts[0] != 0 || parts[1] != 0); ++band)
   {
     const auto i = static_cast<std::size_t>(band);
     const std::size_t slot = cell.cell * static_cast<std::size_t>(material.bands) + i;
     double leaving = 0; // W/m2
-    for (const SeenSide& side : sides)
+    for (std::size_t side = 0; side < 2; ++side)
     {
-      const double* const emitted =
-        emittedFrom(engine_.objects()[cell.object], cell.cell, side.isFront);
-      leaving += side.part *
-        ((emitted ? emitted[i] : 0) +
-          material.reflectance[slot] * engine_.irradiance(side.sums, band));
+      if (parts[side] != 0)
+      {
+        const double* const emitted =
+          emittedFrom(engine_.objects()[cell.object], cell.cell, side == 0);
+        leaving += parts[side] *
+          ((emitted ? emitted[i] : 0) +
+            material.reflectance[slot] * engine_.irradiance(sumsOf(cell, side), band));
+      }
     }
     for (const Bands& replicate : specular)
     {
       leaving += material.specularReflectance[slot] * replicate[i];
     }
     light.value[i] = leaving / kPi;
-    light.standardError[i] = standardErrorOf(sides, i, specular) / kPi;
+    light.standardError[i] = standardErrorOf(cell, parts, i, specular) / kPi;
   }
   return light;
 }
 
 /// Times pi. The parts are added up in each replicate before these are compared, as both may read
 /// the same sums. It is not less than the error of the irradiance, which knows of steps.
-double OutgoingRadiance::standardErrorOf(
-  const std::vector<SeenSide>& sides, std::size_t band, const std::vector<Bands>& specular) const
+double OutgoingRadiance::standardErrorOf(const SceneCell& cell, const SeenParts& seen,
+  std::size_t band, const std::vector<Bands>& specular) const
 {
-  const CellSide& cell = sides.front().sums;
   const Material& material = materialOf(cell);
   const std::size_t slot = cell.cell * static_cast<std::size_t>(material.bands) + band;
   const double diffuse = material.reflectance[slot];
@@ -123,16 +114,18 @@ double OutgoingRadiance::standardErrorOf(
   const std::uint32_t replicates = errors_.replicates();
   std::vector<double> parts(replicates);
   double least = 0;
-  for (const SeenSide& side : sides)
+  for (std::size_t side = 0; side < 2; ++side)
   {
-    const double perQuantum =
-      diffuse > 0 ? diffuse * side.part * engine_.watts(1.0) / engine_.cells().area(cell) : 0;
-    least +=
-      diffuse > 0 ? perQuantum * errors_.standardError(side.sums, static_cast<int>(band)) : 0;
-    for (std::uint32_t k = 0; k < replicates; ++k)
+    if (seen[side] != 0)
     {
-      parts[k] +=
-        perQuantum * errors_.ofReplicate(side.sums, static_cast<int>(band), k) / replicates;
+      const CellSide sums = sumsOf(cell, side);
+      const double perQuantum =
+        diffuse > 0 ? diffuse * seen[side] * engine_.watts(1.0) / engine_.cells().area(cell) : 0;
+      least += diffuse > 0 ? perQuantum * errors_.standardError(sums, static_cast<int>(band)) : 0;
+      for (std::uint32_t k = 0; k < replicates; ++k)
+      {
+        parts[k] += perQuantum * errors_.ofReplicate(sums, static_cast<int>(band), k) / replicates;
+      }
     }
   }
   for (std::size_t k = 0; k < specular.size(); ++k)

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Views/SensorFinalGather.h"
 
-#include "Views/ReplicateParts.h"
-#include "Views/SensorPlace.h"
-
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -18,6 +14,21 @@ namespace
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
+/// In sizes of the scene.
+constexpr double kFarthest = 0x1p20;
+
+/// Towards the middle of the bounds: 1 along each axis at their faces and beyond.
+Vector3 inwards(const Box& bounds, const Vector3& position)
+{
+  const Vector3 half = 0.5 * bounds.extent(), away = bounds.center() - position;
+  Vector3 direction = Vector3::Zero();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    direction[axis] = half[axis] > 0 ? std::clamp(away[axis] / half[axis], -1.0, 1.0) : 0;
+  }
+  return direction;
+}
+
 /// Before anything is counted.
 const IrradianceEngine& checked(const IrradianceEngine& engine)
 {
@@ -25,11 +36,76 @@ const IrradianceEngine& checked(const IrradianceEngine& engine)
   return engine;
 }
 
-bool contains(const Box& box, const Vector3& point)
-{
-  return (box.lower.array() <= point.array()).all() && (point.array() <= box.upper.array()).all();
 }
 
+Box boundsBesideLamps(const SceneObjects& objects)
+{
+  Box all, besideLamps;
+  for (std::uint32_t number = 0; number < objects.size(); ++number)
+  {
+    const SceneObject& object = objects[number];
+    all.add(object.worldBounds());
+    if (!object.emission)
+    {
+      besideLamps.add(object.worldBounds());
+      continue;
+    }
+    for (std::uint32_t i = 0; i < object.mesh().size(); ++i)
+    {
+      if (!object.isLamp(i))
+      {
+        besideLamps.add(transformed(object.worldFromObject, object.mesh()[i]).bounds());
+      }
+    }
+  }
+  // Lamps that are not far away count: the walls of an oven may all be lamps.
+  constexpr double kFar = 64; // sizes of the scene
+  return all.extent().maxCoeff() <= kFar * besideLamps.extent().cwiseMax(0).maxCoeff() ||
+      besideLamps.isEmpty()
+    ? all
+    : besideLamps;
+}
+
+double sensorClearance(const Box& near)
+{
+  return near.isEmpty() ? 0 : 0x1p-20 * near.extent().maxCoeff() + 0x1p-32 * near.magnitude();
+}
+
+std::optional<LitPoint> sensorPlace(const Box& bounds, const Box& near, const Sensor& sensor)
+{
+  LitPoint place{ sensor.position, sensor.normal };
+  if (bounds.isEmpty())
+  {
+    return place;
+  }
+  const Vector3 away = (bounds.lower - sensor.position).cwiseMax(sensor.position - bounds.upper);
+  if (away.maxCoeff() > kFarthest * bounds.extent().maxCoeff())
+  {
+    return std::nullopt;
+  }
+  const Vector3 off = place.hasNormal() ? sensor.normal : inwards(near, sensor.position);
+  place.position += sensorClearance(near) * off;
+  return place;
+}
+
+std::deque<PointDirectLight> gatheredLightsOf(const IrradianceEngine& engine)
+{
+  constexpr std::uint32_t kSamples = 64;
+  return lightsOf(engine.walks(), engine.frame(), engine.settings().seed, kSamples,
+    LampChoice::kMostOfPoint, true);
+}
+
+Bands directLightAt(const Foot& foot, std::uint64_t number,
+  const std::deque<PointDirectLight>& lights, const Scene& scene)
+{
+  const LitPoint point =
+    LitPoint::onTriangle(scene.worldTriangle(foot.id), foot.id, foot.isFront, foot.sensor.position);
+  Bands sum{};
+  for (const PointDirectLight& some : lights)
+  {
+    sum += some.irradiance(point, number);
+  }
+  return sum;
 }
 
 SensorFinalGather::SensorFinalGather(
@@ -60,7 +136,7 @@ std::vector<SensorFinalGather::Replicates> SensorFinalGather::update(
   Rays now{ startsOf(sensors, numbers, motion, rays.starts), {} };
   now.paths = pathsOf(now.starts, numbers, motion, rays, cast);
   rays = std::move(now);
-  const PathSums brought = gather_.broughtBy(rays.paths);
+  const PathSums brought(scene(), rays.paths);
   Bands unknown{};
   unknown.fill(kUnknown);
   std::vector<Replicates> found;
@@ -78,21 +154,11 @@ std::vector<SensorFinalGather::Replicates> SensorFinalGather::update(
     Replicates replicates = gather_.replicatesOf(brought, path++, start.place->hasNormal() ? 1 : 4);
     for (std::size_t k = 0; k < replicates.size(); ++k)
     {
-      std::transform(replicates[k].begin(), replicates[k].end(), start.direct[k].begin(),
-        replicates[k].begin(), std::plus<double>());
+      replicates[k] += start.direct[k];
     }
     found.push_back(std::move(replicates));
   }
   return found;
-}
-
-/// Outside of the bounds paths do not start at the sensor, but where the bounds say.
-bool SensorFinalGather::isKept(
-  const FinalGatherMotion* motion, const Rays::Start& now, const Rays::Start& before)
-{
-  return motion && now.place && before.place && now.place->position == before.place->position &&
-    now.place->normal == before.place->normal &&
-    (motion->isNone() || (now.isInside && before.isInside));
 }
 
 std::vector<SensorFinalGather::Rays::Start> SensorFinalGather::startsOf(
@@ -104,8 +170,13 @@ std::vector<SensorFinalGather::Rays::Start> SensorFinalGather::startsOf(
   {
     const Box& bounds = scene().frame.scene.bounds();
     Rays::Start start{ sensorPlace(bounds, near_, sensors[numbers[i]]) };
-    start.isInside = start.place && contains(bounds, start.place->position);
-    if (i < before.size() && isKept(motion, start, before[i]))
+    start.isInside = start.place && (bounds.lower.array() <= start.place->position.array()).all() &&
+      (start.place->position.array() <= bounds.upper.array()).all();
+    // Outside of the bounds paths do not start at the sensor, but where the bounds say.
+    if (motion && i < before.size() && start.place && before[i].place &&
+      start.place->position == before[i].place->position &&
+      start.place->normal == before[i].place->normal &&
+      (motion->isNone() || (start.isInside && before[i].isInside)))
     {
       start.isKept = true;
       start.shadows = std::move(before[i].shadows);

@@ -14,6 +14,35 @@
 namespace irradiance
 {
 
+/// Of all that is no lamp, or of everything if there are only lamps: a far lamp does not make what
+/// is near less exact.
+Box boundsBesideLamps(const SceneObjects& objects);
+
+/// How far sensors are taken off the places that they are given, m: 2^-20 of the size of the scene,
+/// for what users round, and two steps of rays off their surfaces, for places far from the origin.
+/// `near`: boundsBesideLamps().
+double sensorClearance(const Box& near);
+
+/**
+ * Where a sensor receives its light. Sensors stand on surfaces, but their coordinates are rounded:
+ * so each is taken off the place that it is given, by sensorClearance() along its normal. One that
+ * has no normal is taken towards the middle of the scene, less so near to it: then the outermost
+ * points of a grid that fills a room are in the room.
+ *
+ * Nothing if the sensor is farther than 2^20 sizes of the scene away from it: rounding would tell
+ * what it sees. `bounds`: of all surfaces. `near`: boundsBesideLamps().
+ */
+std::optional<LitPoint> sensorPlace(const Box& bounds, const Box& near, const Sensor& sensor);
+
+/// Of all lights for which cells gather direct light, what asks them for the light that comes
+/// straight to sensors; all other light arrives with the photons of walks. The engine must not
+/// change meanwhile.
+std::deque<PointDirectLight> gatheredLightsOf(const IrradianceEngine& engine);
+/// W/m2 of these lights on the surface on which a sensor stands. `number`: of the sensor. May be
+/// called by several threads.
+Bands directLightAt(const Foot& foot, std::uint64_t number,
+  const std::deque<PointDirectLight>& lights, const Scene& scene);
+
 /**
  * What sensors receive, on surfaces or in the air: irradiance, or of a sensor that receives from
  * all directions the fluence rate. The direct light of all lights is asked for at the very point,
@@ -32,14 +61,8 @@ public:
   SensorFinalGather(const IrradianceEngine& engine, std::uint32_t rays, Execution& execution,
     bool keepsRays = false);
 
-  /// W/m2.
-  struct Light
-  {
-    Bands value; ///< NaN of a sensor that is too far away, see sensorPlace()
-    /// From the variance between replicates; NaN without these, or if none of them received
-    /// anything.
-    Bands standardError;
-  };
+  /// NaN of a sensor that is too far away, see sensorPlace().
+  using Light = ViewedLight;
   /// What each replicate adds to the light of a sensor, or of several together, W/m2; NaN of one
   /// that is too far away.
   using Replicates = std::vector<Bands>;
@@ -76,8 +99,6 @@ public:
   const FinalGatherScene& scene() const { return gather_.scene(); }
 
 private:
-  static bool isKept(
-    const FinalGatherMotion* motion, const Rays::Start& now, const Rays::Start& before);
   /// With what is kept of before, which is taken away.
   std::vector<Rays::Start> startsOf(const std::vector<Sensor>& sensors,
     const std::vector<std::size_t>& numbers, const FinalGatherMotion* motion,

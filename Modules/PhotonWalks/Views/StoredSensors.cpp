@@ -45,10 +45,10 @@ void StoredSensors::gather(const IrradianceEngine& engine, const std::vector<boo
   constexpr double kPrepared = 0.25; // of the progress, roughly, if sides are to be counted
   ProgressSpan preparing(execution, 0, kPrepared), gathering(execution, kPrepared, 1);
   const SensorFinalGather gather(engine, rays, preparing, keepsRays);
-  PathsOrigin origin = pathsOriginOf(gather.scene());
+  PathsOrigin origin(gather.scene());
   const std::optional<PathsOrigin> before = std::exchange(origin_, std::nullopt);
   const std::optional<FinalGatherMotion> motion =
-    before ? motionSince(gather.scene(), origin, *before) : std::nullopt;
+    before ? FinalGatherMotion::since(*before, gather.scene(), origin) : std::nullopt;
   const std::size_t together = startsTogether(gather.scene());
   const std::size_t units = (sensors_.size() + together - 1) / together;
   if (!motion)
@@ -56,12 +56,22 @@ void StoredSensors::gather(const IrradianceEngine& engine, const std::vector<boo
     units_.clear();
   }
   units_.resize(keepsRays ? units : 0);
-  SlicedPass pass{ units, {} };
-  pass.work = [&](std::size_t unit, const Deadline&) {
-    const std::vector<std::size_t> numbers = numbersOf(unit, together, isDone, keepsRays);
+  forEachSliced(units, gathering, [&](std::size_t unit) {
+    const std::size_t first = unit * together, end = std::min(first + together, sensors_.size());
+    const auto at = [&](std::size_t i) { return isDone.begin() + static_cast<std::ptrdiff_t>(i); };
+    // If rays are kept, all or none: those that are done find what they found before.
+    const bool takesAll = keepsRays && std::find(at(first), at(end), false) != at(end);
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = first; i < end; ++i)
+    {
+      if (takesAll || !isDone[i])
+      {
+        numbers.push_back(i);
+      }
+    }
     if (numbers.empty())
     {
-      return true;
+      return;
     }
     SensorFinalGather::Rays none;
     std::int64_t cast = 0;
@@ -72,31 +82,11 @@ void StoredSensors::gather(const IrradianceEngine& engine, const std::vector<boo
       replicates_[numbers[i]] = std::move(found[i]);
     }
     cast_ += cast;
-    return true;
-  };
-  pass.run(gathering);
+  });
   if (keepsRays)
   {
     origin_ = std::move(origin);
   }
-}
-
-/// If rays are kept, all or none: those that are done find what they found before.
-std::vector<std::size_t> StoredSensors::numbersOf(
-  std::size_t unit, std::size_t together, const std::vector<bool>& isDone, bool keepsRays) const
-{
-  const std::size_t first = unit * together, end = std::min(first + together, sensors_.size());
-  const auto at = [&](std::size_t i) { return isDone.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::vector<std::size_t> numbers(end - first);
-  std::iota(numbers.begin(), numbers.end(), first);
-  if (!keepsRays)
-  {
-    numbers.erase(std::remove_if(numbers.begin(), numbers.end(),
-                    [&](std::size_t number) { return isDone[number]; }),
-      numbers.end());
-  }
-  return keepsRays && std::find(at(first), at(end), false) == at(end) ? std::vector<std::size_t>{}
-                                                                      : numbers;
 }
 
 std::vector<SensorFinalGather::Light> StoredSensors::lights() const

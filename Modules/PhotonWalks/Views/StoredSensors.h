@@ -2,7 +2,6 @@
 #ifndef irradiance_StoredSensors_h
 #define irradiance_StoredSensors_h
 
-#include "FinalGather/PathsOrigin.h"
 #include "Views/SensorFinalGather.h"
 
 #include <atomic>
@@ -39,9 +38,6 @@ private:
   /// `isDone`: by sensor, whether its light is that of this frame.
   void gather(const IrradianceEngine& engine, const std::vector<bool>& isDone, std::uint32_t rays,
     bool keepsRays, Execution& execution);
-  /// Those of a unit of `together` sensors that gather.
-  std::vector<std::size_t> numbersOf(
-    std::size_t unit, std::size_t together, const std::vector<bool>& isDone, bool keepsRays) const;
 
   std::weak_ptr<const IrradianceEngine> engine_; ///< for which all below was found
   std::uint64_t state_ = 0;

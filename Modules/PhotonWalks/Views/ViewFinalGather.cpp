@@ -2,30 +2,24 @@
 #include "Views/ViewFinalGather.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace irradiance
 {
-
-namespace
-{
-
-// Lobes are many, and rays find what these neglect.
-constexpr std::uint32_t kSamplesOnLobe = 2;
-
-}
 
 ViewFinalGather::ViewFinalGather(const IrradianceEngine& engine, const CellShapes& shapes,
   std::uint32_t rays, bool asksOnLobes, bool keepsPaths, Execution& execution)
   : engine_(engine)
   , lights_(lightsOf(engine.walks(), engine.frame(), engine.settings().seed,
       asksOnLobes ? kSamplesOnLobe : kSamplesOfHit))
-  , foundLamps_(engine.walks(), engine.cells().numbers())
+  , foundLamps_(foundLamps(engine.walks(), engine.cells().numbers()))
   , roles_(engine.cells(), engine.numberOfWalks(), engine.hasLights() ? rays : 0)
-  , unevenCells_(CellShapes(engine.frame(), 0, 1, cancelPointOf(execution, 0)), roles_,
-      engine.walks(), cancelPointOf(execution, 0))
-  , scene_{ engine.frame(), shapes, roles_,
-    { engine.sums(), nullptr, nullptr, engine.sums().rounds() }, lights_, foundLamps_, unevenCells_,
-    dealtRays(rays, engine.walks().plan().replicates().count()),
+  , unevenCells_(unevenCells(CellShapes(engine.frame(), 0, 1, cancelPointOf(execution, 0)), roles_,
+      engine.walks(), cancelPointOf(execution, 0)))
+  , scene_{ engine.frame(), shapes, roles_, engine.sums(), nullptr, nullptr, engine.sums().rounds(),
+    lights_, foundLamps_, unevenCells_, dealtRays(rays, engine.walks().plan().replicates().count()),
     engine.hasLights() ? 1 / engine.watts(1.0) : 0.0, // else a quantum is no power at all
     engine.settings().seed, keepsPaths }
 {
@@ -43,6 +37,19 @@ std::vector<Bands> ViewFinalGather::replicatesOf(
       [&](double quantaPerArea) { return engine_.watts(factor * quantaPerArea); });
   }
   return replicates;
+}
+
+double standardErrorOf(const std::vector<double>& parts)
+{
+  const auto count = static_cast<double>(parts.size());
+  const double sum = std::accumulate(parts.begin(), parts.end(), 0.0);
+  double squares = 0;
+  for (const double part : parts)
+  {
+    squares += (count * part - sum) * (count * part - sum);
+  }
+  return count > 1 && sum > 0 ? std::sqrt(squares / (count * (count - 1)))
+                              : std::numeric_limits<double>::quiet_NaN();
 }
 
 }

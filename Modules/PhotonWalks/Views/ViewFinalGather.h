@@ -2,7 +2,6 @@
 #ifndef irradiance_ViewFinalGather_h
 #define irradiance_ViewFinalGather_h
 
-#include "Execution/Pool.h"
 #include "FinalGather/FinalGatherPaths.h"
 #include "FinalGather/PathLights.h"
 #include "FinalGather/PathSums.h"
@@ -13,6 +12,15 @@
 
 namespace irradiance
 {
+
+/// What a cell sends to an eye, W/m2/sr, or what a sensor receives, W/m2, by band.
+struct ViewedLight
+{
+  Bands value{};
+  /// From the variance between replicates; NaN where it is not known: without replicates, or where
+  /// none of them found anything.
+  Bands standardError{};
+};
 
 /**
  * The final gather of what looks at a frame: sensors, and the specular cells that an eye sees.
@@ -35,33 +43,27 @@ public:
   template <class AddStarts>
   FollowedPaths follow(const AddStarts& addStarts) const
   {
-    std::unique_ptr<FinalGatherPaths> paths = paths_.take();
-    paths->begin(scene_);
-    addStarts(*paths);
-    paths->run(scene_);
-    FollowedPaths followed = paths->takeFollowed();
-    paths_.giveBack(std::move(paths));
-    return followed;
-  }
-  /// What paths bring, of which each start has as many as there are rays.
-  PathSums broughtBy(const FollowedPaths& paths) const
-  {
-    PathSums brought;
-    brought.read(scene_, paths, paths.size() / scene_.rays);
-    return brought;
+    return FinalGatherPaths::follow(paths_, scene_, addStarts);
   }
   /// W/m2 that came to the `start`-th start, times a factor: each replicate's part.
   std::vector<Bands> replicatesOf(const PathSums& brought, std::size_t start, double factor) const;
 
 private:
+  // Lobes are many, and rays find what these neglect.
+  static constexpr std::uint32_t kSamplesOnLobe = 2;
+
   const IrradianceEngine& engine_;
   std::deque<PointDirectLight> lights_;
-  FoundLamps foundLamps_;
+  std::vector<bool> foundLamps_;
   CellRoles roles_;
-  UnevenCells unevenCells_;
+  std::vector<bool> unevenCells_;
   FinalGatherScene scene_;
   mutable Pool<FinalGatherPaths> paths_; ///< what threads work with
 };
+
+/// The standard error of a sum of which each replicate has its part, from their scatter: NaN with a
+/// single replicate, or if none has anything.
+double standardErrorOf(const std::vector<double>& parts);
 
 }
 

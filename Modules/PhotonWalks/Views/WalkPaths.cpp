@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstring>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -14,6 +15,56 @@ namespace irradiance
 
 namespace
 {
+
+/// Ranks send integers.
+void write(const WalkPath& path, std::vector<std::int64_t>& numbers)
+{
+  numbers.insert(numbers.end(),
+    { path.walk, path.escapes ? 1 : 0, path.isStale ? 1 : 0,
+      static_cast<std::int64_t>(path.firstRepaired),
+      static_cast<std::int64_t>(path.points.size()) });
+  numbers.insert(numbers.end(), path.power.quanta.begin(), path.power.quanta.end());
+  const std::size_t size = numbers.size();
+  numbers.resize(size + 3 * path.points.size());
+  std::memcpy(numbers.data() + size, path.points.data(), path.points.size() * sizeof(Vector3));
+}
+
+/// Leaves `next` behind what write() wrote.
+WalkPath read(const std::int64_t*& next)
+{
+  WalkPath path{};
+  path.walk = static_cast<std::uint32_t>(*next++);
+  path.escapes = *next++ != 0;
+  path.isStale = *next++ != 0;
+  path.firstRepaired = static_cast<std::size_t>(*next++);
+  path.points.resize(static_cast<std::size_t>(*next++));
+  for (std::int64_t& quanta : path.power.quanta)
+  {
+    quanta = *next++;
+  }
+  std::memcpy(path.points.front().data(), next, path.points.size() * sizeof(Vector3));
+  next += 3 * path.points.size();
+  return path;
+}
+
+/// The paths that all ranks have, ordered by walk. Throws RankFailed.
+std::vector<WalkPath> pathsOfAll(const std::vector<WalkPath>& own, Ranks& ranks)
+{
+  std::vector<std::int64_t> numbers;
+  for (const WalkPath& path : own)
+  {
+    write(path, numbers);
+  }
+  numbers = ranks.concatenate(numbers);
+  std::vector<WalkPath> all;
+  for (const std::int64_t* next = numbers.data(); next != numbers.data() + numbers.size();)
+  {
+    all.push_back(read(next));
+  }
+  std::sort(
+    all.begin(), all.end(), [](const WalkPath& a, const WalkPath& b) { return a.walk < b.walk; });
+  return all;
+}
 
 /// In order.
 std::vector<std::uint32_t> walksOfAll(const std::vector<std::uint32_t>& own, Ranks& ranks)
@@ -73,20 +124,17 @@ std::vector<std::uint32_t> WalkPaths::firstBorn(std::size_t most) const
   return chosen;
 }
 
-const WalkStarts* WalkPaths::startsOf(const WalkSet& set, std::uint32_t walk)
-{
-  return set.gathered() ? &set.gathered()->startsOf(walk) : nullptr;
-}
-
 bool WalkPaths::beginsOn(const SceneCell& cell, const WalkSet& set, std::uint32_t walk) const
 {
-  if (const WalkStarts* starts = startsOf(set, walk))
+  if (set.gathered())
   {
-    const DirectSample& sample = starts->sampleOf((*starts)[walk]);
+    const DirectSample& sample = set.gathered()->sampleOf(walk);
     const TriangleId id = engine_.frame().triangles.idOf(sample.triangle);
     return engine_.sums().cellOf(id) == cell || set.lights()[sample.light].cell == cell;
   }
-  return emits(cell) && walks_.sampler(walk).lightOf(walk).cell == cell;
+  // Of a cell that does not emit no sample has to be drawn.
+  const auto& emission = engine_.objects()[cell.object].emission;
+  return emission && emission->emits(cell.cell) && walks_.stages(walk).lightOf(walk).cell == cell;
 }
 
 std::vector<std::uint32_t> WalkPaths::touching(
@@ -101,8 +149,7 @@ std::vector<std::uint32_t> WalkPaths::touching(
     }
   }
   std::vector<std::vector<std::uint32_t>> found(blocks.size());
-  SlicedPass pass{ found.size(), {} };
-  pass.work = [&](std::size_t number, const Deadline&) {
+  forEachSliced(found.size(), execution, [&](std::size_t number) {
     const auto& [set, index] = blocks[number];
     const BounceBlock& block = set->history().block(index);
     for (std::uint32_t walk = block.firstWalk();
@@ -114,9 +161,7 @@ std::vector<std::uint32_t> WalkPaths::touching(
         found[number].push_back(walk);
       }
     }
-    return true;
-  };
-  pass.run(execution);
+  });
   std::vector<std::uint32_t> walks;
   for (const std::vector<std::uint32_t>& some : found)
   {
@@ -131,13 +176,6 @@ std::vector<std::uint32_t> WalkPaths::touching(
   return walks;
 }
 
-/// Else no sample has to be drawn to know that no walk starts there.
-bool WalkPaths::emits(const SceneCell& cell) const
-{
-  const auto& emission = engine_.objects()[cell.object].emission;
-  return emission && emission->emits(cell.cell);
-}
-
 bool WalkPaths::isHit(
   const WalkHistory& history, std::size_t block, std::uint32_t walk, const SceneCell& cell) const
 {
@@ -147,27 +185,18 @@ bool WalkPaths::isHit(
   return isHit;
 }
 
-std::vector<std::uint32_t> WalkPaths::own(const std::vector<std::uint32_t>& walks) const
-{
-  std::vector<std::uint32_t> own;
-  std::copy_if(walks.begin(), walks.end(), std::back_inserter(own),
-    [this](std::uint32_t walk) { return walks_.setOf(walk).has(walk); });
-  return own;
-}
-
 std::vector<WalkPath> WalkPaths::paths(
   const std::vector<std::uint32_t>& all, Execution& execution) const
 {
   constexpr std::size_t kPerUnit = 64;
-  const std::vector<std::uint32_t> walks = own(all);
+  std::vector<std::uint32_t> walks; // of this rank
+  std::copy_if(all.begin(), all.end(), std::back_inserter(walks),
+    [this](std::uint32_t walk) { return walks_.setOf(walk).has(walk); });
   std::vector<WalkPath> paths(walks.size());
-  SlicedPass pass{ (walks.size() + kPerUnit - 1) / kPerUnit, {} };
-  pass.work = [&](std::size_t unit, const Deadline&) {
+  forEachSliced((walks.size() + kPerUnit - 1) / kPerUnit, execution, [&](std::size_t unit) {
     const std::size_t begin = unit * kPerUnit;
     find(walks.data() + begin, std::min(kPerUnit, walks.size() - begin), paths.data() + begin);
-    return true;
-  };
-  pass.run(execution);
+  });
   return engine_.walks().areShared() ? pathsOfAll(paths, execution.ranks()) : paths;
 }
 
@@ -211,17 +240,16 @@ void WalkPaths::find(const std::uint32_t* walks, std::size_t count, WalkPath* pa
 
 void WalkPaths::addStart(const Ray& first, WalkPath& path) const
 {
-  const WalkStarts* starts = startsOf(walks_.setOf(path.walk), path.walk);
-  if (!starts)
+  const DirectRounds* const gathered = walks_.setOf(path.walk).gathered();
+  if (!gathered)
   {
-    path.power = walks_.sampler(path.walk).powerOf(path.walk);
+    path.power = walks_.stages(path.walk).powerOf(path.walk);
     path.points.push_back(first.origin);
     return;
   }
-  const WalkStarts::Start& start = (*starts)[path.walk];
-  const DirectSample& sample = starts->sampleOf(start);
+  const DirectSample& sample = gathered->sampleOf(path.walk);
   const double b = sample.weightB, c = sample.weightC;
-  path.power = start.power;
+  path.power = gathered->powerOf(path.walk);
   path.points.push_back(sample.from);
   path.points.push_back(
     surfacePoint(engine_.scene().worldTriangle(first.start), { 1 - b - c, b, c }).position);
@@ -244,7 +272,7 @@ void WalkPaths::addMarks(WalkPath& path) const
   const std::vector<SegmentRef>& repaired = set.repaired();
   const auto tail = std::lower_bound(repaired.begin(), repaired.end(), SegmentRef{ path.walk, 0 });
   const bool isRepaired = tail != repaired.end() && tail->walk == path.walk;
-  const std::size_t before = startsOf(set, path.walk) ? 2 : 1; // points before the first hit
+  const std::size_t before = set.gathered() ? 2 : 1; // points before the first hit
   path.firstRepaired = isRepaired ? tail->bounce + before : path.points.size();
   constexpr std::uint32_t kLast = std::numeric_limits<std::uint32_t>::max();
   const std::size_t block = set.history().indexOf(path.walk);

@@ -3,13 +3,27 @@
 #define irradiance_WalkPaths_h
 
 #include "IrradianceEngine.h"
-#include "Views/WalkPath.h"
-#include "Walks/StoredWalks.h"
+#include "Walks/WalkSets.h"
 
 #include <vector>
 
 namespace irradiance
 {
+
+/// A stored walk, to look at.
+struct WalkPath
+{
+  std::uint32_t walk;
+  Power power; ///< with which it starts
+  /// World space: the start on its light, then its hits. One that starts where direct light was
+  /// gathered begins on the light from which that came. A walk that escapes has one more, where it
+  /// is cut off.
+  std::vector<Vector3> points;
+  bool escapes;
+  bool isStale; ///< part of it is no longer valid, see StaleWalks
+  /// The first point that was shot again, see WalkSet::repaired(); else their number.
+  std::size_t firstRepaired;
+};
 
 /**
  * Chooses among the stored walks of an engine, and hands them out as polylines. Points follow from
@@ -38,17 +52,12 @@ public:
 
 private:
   std::vector<std::uint32_t> firstBorn(std::size_t most) const;
-  /// The starts of a walk of a set; null if it starts at a light.
-  static const WalkStarts* startsOf(const WalkSet& set, std::uint32_t walk);
   /// Whether the first light of a walk comes from a cell, or it starts there.
   bool beginsOn(const SceneCell& cell, const WalkSet& set, std::uint32_t walk) const;
   /// Power, and the points before the first hit of a stored segment.
   void addStart(const Ray& first, WalkPath& path) const;
-  bool emits(const SceneCell& cell) const;
   bool isHit(
     const WalkHistory& history, std::size_t block, std::uint32_t walk, const SceneCell& cell) const;
-  /// Without the walks that only other ranks have.
-  std::vector<std::uint32_t> own(const std::vector<std::uint32_t>& walks) const;
   void find(const std::uint32_t* walks, std::size_t count, WalkPath* paths) const;
   void addHits(WalkPath& path) const;
   void addMarks(WalkPath& path) const;

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Walks/LightSurvey.h"
 
-#include "DirectLight/DimLights.h"
 #include "DirectLight/DirectPilot.h"
+#include "DirectLight/FirstHits.h"
+#include "Repair/SceneChange.h"
 #include "Surfaces/MeanReflectance.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -16,25 +20,25 @@ namespace irradiance
 namespace
 {
 
-std::vector<Known> knownBy(const WalkSource& source, const FirstHits& hits, const DimLights& dim)
+std::vector<Known> knownBy(
+  const WalkSource& source, const FirstHits& hits, const std::vector<bool>& areDim)
 {
   const std::vector<Light>& lights = source.lights.lights();
   std::vector<Known> known(lights.size(), Known::Gathered);
-  std::array<double, 3> flux{};
+  std::array<double, 3> sums{}; // W
+  const auto flux = [&](Known part) -> double& { return sums[static_cast<std::size_t>(part)]; };
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
-    known[i] = dim.contains(lights[i]) ? Known::Dim
-      : hits.nearLights()[i]           ? Known::Shot
-                                       : Known::Gathered;
-    flux[static_cast<std::size_t>(known[i])] += lights[i].totalFlux();
+    known[i] = areDim[i] ? Known::Dim : hits.nearLights()[i] ? Known::Shot : Known::Gathered;
+    flux(known[i]) += lights[i].totalFlux();
   }
   // No part is to be worth less than a walk of each replicate.
   const double least =
     source.lights.flux() / source.plan.walksAfter(1) * source.plan.replicates().count();
-  const auto isWeak = [&](Known part) { return flux[static_cast<std::size_t>(part)] <= least; };
+  const auto isWeak = [&](Known part) { return flux(part) <= least; };
   const auto join = [&](Known part, Known other) {
     std::replace(known.begin(), known.end(), part, other);
-    flux[static_cast<std::size_t>(other)] += std::exchange(flux[static_cast<std::size_t>(part)], 0);
+    flux(other) += std::exchange(flux(part), 0);
   };
   for (const Known part : { Known::Dim, Known::Shot })
   {
@@ -43,18 +47,18 @@ std::vector<Known> knownBy(const WalkSource& source, const FirstHits& hits, cons
       join(part, Known::Gathered);
     }
   }
-  if (isWeak(Known::Gathered) && flux[static_cast<std::size_t>(Known::Gathered)] > 0)
+  if (isWeak(Known::Gathered) && flux(Known::Gathered) > 0)
   {
     isWeak(Known::Shot) ? join(Known::Dim, Known::Gathered) : join(Known::Gathered, Known::Shot);
   }
   return known;
 }
 
-LightSurvey::Group groupOf(const SceneObjects& objects, const WalkSource& source,
-  const FirstHits& hits, const DimLights& dim, double reflected)
+LightSurvey::Group groupOf(
+  const SceneObjects& objects, const WalkSource& source, const FirstHits& hits, double reflected)
 {
   LightSurvey::Group group;
-  group.known = knownBy(source, hits, dim);
+  group.known = knownBy(source, hits, hits.dimLights(objects, source.lights, reflected));
   const LightTable gathered = group.lightsOf(source, Known::Gathered);
   if (gathered.isEmpty())
   {
@@ -63,8 +67,8 @@ LightSurvey::Group groupOf(const SceneObjects& objects, const WalkSource& source
   group.lamps = std::make_shared<const LampPieces>(gathered);
   const DirectPilot pilot(objects, *group.lamps);
   group.variance = pilot.variance();
-  const DirectPilot::Sampling sampling = pilot.best({ hits.arrived() / source.lights.flux(),
-    hits.returned(), LightSurvey::powerOfStart(reflected) });
+  const DirectPilot::Sampling sampling = pilot.best(
+    hits.arrived() / source.lights.flux(), hits.returned(), LightSurvey::powerOfStart(reflected));
   group.cost = sampling.cost;
   group.areHardToFind = sampling.cost >= 1;
   group.walksPerSample = sampling.walksPerSample;
@@ -139,8 +143,7 @@ LightSurvey::LightSurvey(const SceneObjects& objects, const std::vector<WalkSour
   }
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
-    const DimLights dim(objects, hits[i], reflected);
-    groups_.push_back(groupOf(objects, sources[i], hits[i], dim, reflected));
+    groups_.push_back(groupOf(objects, sources[i], hits[i], reflected));
   }
   unevenness_ = unevennessOf(sources, hits, groups_);
 }
@@ -183,6 +186,160 @@ double LightSurvey::gatheringCost() const
     }
   }
   return flux > 0 ? sum / flux : hasLights ? 1 : 0;
+}
+
+bool FrameLights::areOf(const SceneObjects& objects, const WalkPlan& plan) const
+{
+  const auto haveMoved = [&] {
+    const std::vector<bool> moved = findMoved(objects, objects_);
+    return std::find(moved.begin(), moved.end(), true) != moved.end();
+  };
+  // A wall that a point light touches may move.
+  const auto isInAir = [](const WalkSource& source) {
+    return !source.lights.boundsInAir().isEmpty();
+  };
+  return !sources_.empty() && plan == plan_ && areLightsUnchanged(objects, objects_) &&
+    !(std::any_of(sources_.begin(), sources_.end(), isInAir) && haveMoved());
+}
+
+const std::vector<WalkSource>& FrameLights::sources(const SceneObjects& objects,
+  const WalkPlan& plan, ObjectSides& sides, const CancelPoint& cancelPoint)
+{
+  if (!areOf(objects, plan))
+  {
+    sources_.clear();
+    survey_.reset();
+    sources_ = sourcesOf(objects, plan, lightWallsOf(objects, sides, cancelPoint));
+    objects_ = objects;
+    plan_ = plan;
+  }
+  return sources_;
+}
+
+const LightSurvey& FrameLights::survey(const SceneObjects& objects, const WalkPlan& plan,
+  ObjectSides& sides, const CancelPoint& cancelPoint)
+{
+  const std::vector<WalkSource>& found = sources(objects, plan, sides, cancelPoint);
+  if (!survey_)
+  {
+    survey_.emplace(objects, found);
+  }
+  return *survey_;
+}
+
+namespace
+{
+
+/// How many times as many walks those near lights shoot, beside which others start at cells: with
+/// as little power, as the noise of both is to cost alike.
+double timesAtLights(double reflected, const WalkPlan& plan)
+{
+  constexpr double kLeast = 0.25;
+  constexpr std::uint32_t kMost = std::uint32_t{ 1 } << 28; // walks have numbers of 32 bits
+  return plan.most() < kMost ? 1 / std::clamp(reflected, kLeast, 1.0) : 1;
+}
+
+/// Parts a source by how its lights are best known. `atLights`: see deal().
+std::vector<WalkSource> partsOf(const WalkSource& source, const LightSurvey::Group& group,
+  double atLights, const FewestSamples& fewestSamples)
+{
+  std::vector<WalkSource> parts;
+  for (const Known part : { Known::Dim, Known::Shot })
+  {
+    WalkSource some{ group.lightsOf(source, part), source.plan };
+    some.areFoundByRays = part == Known::Dim;
+    some.areNear = part == Known::Shot && !group.areHardToFind;
+    if (group.lamps && group.lamps->lights() == some.lights)
+    {
+      some.lamps = group.lamps;
+    }
+    if (!some.lights.isEmpty())
+    {
+      parts.push_back(std::move(some));
+    }
+  }
+  if (parts.empty() || group.isGathered())
+  {
+    WalkSource gathered{ group.lightsOf(source, Known::Gathered), source.plan, CellPart{} };
+    gathered.lamps = group.lamps;
+    gathered.walksPerSample = group.walksPerSample;
+    gathered.fewest = fewestSamples.atVariance(group.variance);
+    parts.push_back(std::move(gathered));
+  }
+  if (parts.size() > 1 || !parts.front().cells)
+  {
+    deal(parts, source.plan, atLights);
+  }
+  return parts;
+}
+
+}
+
+std::vector<WalkSource> directSourcesOf(const SceneObjects& objects,
+  const std::vector<WalkSource>& sources, const LightSurvey& survey,
+  const FewestSamples& fewestSamples)
+{
+  std::vector<WalkSource> gathered, all;
+  std::uint32_t end = 0; // of the numbers of walks that start at lights
+  const double reflected = meanReflectance(objects.staticObject);
+  const bool isAnyGathered = std::any_of(
+    survey.groups().begin(), survey.groups().end(), std::mem_fn(&LightSurvey::Group::isGathered));
+  for (std::size_t i = 0; i < sources.size(); ++i)
+  {
+    const double atLights = isAnyGathered ? timesAtLights(reflected, sources[i].plan) : 1;
+    for (WalkSource& part : partsOf(sources[i], survey.groups()[i], atLights, fewestSamples))
+    {
+      if (!part.cells)
+      {
+        const WalkPlan& plan = part.plan;
+        part.plan = WalkPlan(plan.walksAfter(1), plan.most(), plan.replicates().count(), end);
+        end = part.plan.endWalk();
+      }
+      (part.cells ? gathered : all).push_back(std::move(part));
+    }
+  }
+  // How many walks are born is not known yet: static cells have half of the numbers, the others
+  // share the rest evenly.
+  const std::vector<CellPart> parts = cellParts(objects);
+  const auto groups = static_cast<std::uint32_t>(std::max<std::size_t>(1, gathered.size()));
+  const auto others = static_cast<std::uint32_t>(parts.size() - 1);
+  const std::uint32_t share = (std::numeric_limits<std::uint32_t>::max() - end) / groups;
+  const std::uint32_t ofStatic = others > 0 ? share / 2 : share;
+  for (const WalkSource& source : gathered)
+  {
+    for (const CellPart& part : parts)
+    {
+      all.push_back(source);
+      all.back().cells = part;
+      all.back().quantaPerStart = std::max<std::int64_t>(1,
+        std::llround(LightSurvey::powerOfStart(reflected) *
+          static_cast<double>(source.lights.quantaPerWalk())));
+      all.back().fewest = part.isStatic() ? fewestSamples.asMany() : source.fewest;
+      all.back().firstWalk = end;
+      end += part.isStatic() ? ofStatic : (share - ofStatic) / std::max(1u, others);
+    }
+  }
+  return all;
+}
+
+void addLamps(std::vector<WalkSource>& sources)
+{
+  std::shared_ptr<const LampPieces> lamps;
+  for (WalkSource& source : sources)
+  {
+    if (source.areFoundByRays)
+    {
+      continue; // nothing asks them
+    }
+    if (!source.isDynamic())
+    {
+      auto own = source.lamps ? std::make_shared<LampPieces>(*source.lamps)
+                              : std::make_shared<LampPieces>(source.lights);
+      own->setQuantaPerWalk(source.lights.quantaPerWalk()); // walks were dealt since
+      lamps = std::move(own);
+    }
+    source.lamps = lamps;
+  }
 }
 
 }

@@ -3,9 +3,11 @@
 #define irradiance_LightSurvey_h
 
 #include "DirectLight/LampPieces.h"
+#include "Surfaces/ObjectSides.h"
 #include "Walks/WalkSource.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace irradiance
@@ -67,6 +69,41 @@ private:
   std::vector<Group> groups_; ///< by source
   double unevenness_ = 1;
 };
+
+/// The lights of the frame that was last asked for, as sources of walks, and a survey of them. Both
+/// are found when first asked for, and stay as long as the lights do.
+class FrameLights
+{
+public:
+  /// As sourcesOf(). `sides`: of the objects.
+  const std::vector<WalkSource>& sources(const SceneObjects& objects, const WalkPlan& plan,
+    ObjectSides& sides, const CancelPoint& cancelPoint);
+  const LightSurvey& survey(const SceneObjects& objects, const WalkPlan& plan, ObjectSides& sides,
+    const CancelPoint& cancelPoint);
+
+private:
+  bool areOf(const SceneObjects& objects, const WalkPlan& plan) const;
+
+  SceneObjects objects_;
+  WalkPlan plan_;
+  std::vector<WalkSource> sources_; ///< of these; none before the first frame
+  std::optional<LightSurvey> survey_;
+};
+
+/**
+ * Where cells gather direct light: for each source one whose walks start at static cells, and one
+ * for each of the other cellParts(). Lights that are better known otherwise have sources of their
+ * own, whose walks start at the lights, as the survey of the same sources says. Walks are shared as
+ * among groups. About as many walks start at cells as the plan has, if the light falls on static
+ * cells that reflect as all of them on average.
+ */
+std::vector<WalkSource> directSourcesOf(const SceneObjects& objects,
+  const std::vector<WalkSource>& sources, const LightSurvey& survey,
+  const FewestSamples& fewestSamples);
+
+/// Makes the lights of sources known to what asks them: it takes a while, and once for all parts of
+/// the cells is enough.
+void addLamps(std::vector<WalkSource>& sources);
 
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <mutex>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -48,15 +49,17 @@ void WalkSet::start(const Frame& frame, Execution& execution)
   areCellsRenumbered_ = false;
   if (source_.cells && !lights().isEmpty())
   {
-    gathered_ = std::make_unique<DirectRounds>(DirectRounds::Settings{ *source_.cells,
-      Replicates(source_.plan.replicates().count(), source_.firstWalk), source_.quantaPerStart,
-      source_.density, settings_.seed });
+    gathered_ = std::make_unique<DirectRounds>(
+      DirectGather::Settings{ *source_.cells, source_.plan.replicates().count(), source_.firstWalk,
+        source_.quantaPerStart, source_.walksPerSample, source_.fewest, settings_.seed });
     gatherers = { source_.cells->first, source_.cells->end };
   }
   sums_ = CellSums(frame.objects, plan(), 0, gatherers);
   const int bands = frame.objects.staticObject.material->bands;
+  Box bounds = frame.scene.bounds();
+  bounds.add(lights().boundsInAir());
   history_ = {};
-  history_ = WalkHistory(plan(), pointGrid(frame.objects, bounds(frame.scene), cancelPoint),
+  history_ = WalkHistory(plan(), pointGrid(frame.objects, bounds, cancelPoint),
     frame.triangles.numbers(), bands, powerPerWalk(), arenaFor(bands), blocks_);
   stale_.reset();
   unborn_.clear();
@@ -99,7 +102,7 @@ void WalkSet::beginRound(bool isStored, const Frame& frame, Execution& execution
     gathered_->append(frame, *source_.lamps, walks.endWalk - walks.firstWalk, beginning);
     history_.extend(plan());
     sums_.setRounds(plan(), cancelPoint);
-    gathered_->addTo(totals(), round, cancelPoint);
+    gathered_->rounds()[round]->addTo(totals(), 1, cancelPoint);
   }
   else
   {
@@ -116,12 +119,12 @@ void WalkSet::shootBlocks(
 {
   const SobolSequence samples = this->samples();
   const WalkTracer tracer = this->tracer(frame, samples);
-  SharedBalance total(balance_);
+  std::mutex mutex;
   const std::size_t first = blocks_.before(walks.firstBlock), end = blocks_.before(walks.endBlock);
-  const std::size_t units = (end - first + kBlocksTogether - 1) / kBlocksTogether;
+  const std::size_t units =
+    lights().isEmpty() ? 0 : (end - first + kBlocksTogether - 1) / kBlocksTogether;
   std::vector<std::unique_ptr<WalkBatch>> open(units);
-  SlicedPass pass{ lights().isEmpty() ? 0 : units, {} };
-  pass.work = [&](std::size_t unit, const Deadline& deadline) {
+  runSliced(units, execution, [&](std::size_t unit, const auto& hasToStop) {
     PowerBalance balance;
     bool isDone = true;
     {
@@ -132,19 +135,18 @@ void WalkSet::shootBlocks(
         open[unit] = batches_->take();
         open[unit]->begin(tracer, isStored ? &history_ : nullptr);
         const std::size_t begin = first + unit * kBlocksTogether;
-        fill(*open[unit], begin, std::min(begin + kBlocksTogether, end), tracer.sampler().bands());
+        fill(*open[unit], begin, std::min(begin + kBlocksTogether, end), tracer.stages().bands());
         open[unit]->start(tally);
       }
-      isDone = open[unit]->run(tally, [&] { return deadline.hasPassed(); });
+      isDone = open[unit]->run(tally, hasToStop);
     }
     if (isDone)
     {
       batches_->giveBack(std::move(open[unit]));
     }
-    total.add(balance);
+    addLocked(balance, balance_, mutex);
     return isDone;
-  };
-  pass.run(execution);
+  });
 }
 
 void WalkSet::fill(WalkBatch& batch, std::size_t first, std::size_t end, int bands) const
@@ -226,74 +228,52 @@ void WalkSet::followWalks(
     stale_ = std::make_unique<StaleWalks>(frame.objects, history_.size(), samples);
     staleRounds_ = sums_.rounds();
   }
+  // Progress between verification, births and repair.
+  const double verified = !hasMoved ? 0 : stale_ ? 0.5 : 1;
+  const double born = !stale_ ? 1 : unborn_.empty() ? verified : 0.75;
+  ProgressSpan verification(execution, 0, verified), bearing(execution, verified, born),
+    rest(execution, born, 1);
   const Stopwatch stopwatch;
-  if (!stale_)
+  if (hasMoved && stale_)
   {
-    if (hasMoved)
-    {
-      repair.verifyAndRepair(execution);
-      // Both take turns on each thread.
-      const WalkRepair::Figures& figures = repair.figures();
-      const double share =
-        figures.verifySeconds / (figures.verifySeconds + figures.repairSeconds + 1e-12);
-      statistics_.verifySeconds = share * stopwatch.seconds();
-      statistics_.repairSeconds = (1 - share) * stopwatch.seconds();
-    }
-    const Stopwatch bearing;
-    ProgressSpan rest(execution, hasMoved ? 1 : 0, 1);
-    shootBorn(tracer, nullptr, rest);
-    statistics_.repairSeconds += bearing.seconds();
+    repair.verifyAndMark(*stale_, verification);
+    statistics_.verifySeconds = stopwatch.seconds();
   }
-  else
+  else if (hasMoved)
   {
-    // Progress between verification, births and repair.
-    const double verified = hasMoved ? 0.5 : 0, born = unborn_.empty() ? verified : 0.75;
-    ProgressSpan verification(execution, 0, verified), bearing(execution, verified, born),
-      rest(execution, born, 1);
-    if (hasMoved)
-    {
-      repair.verifyAndMark(*stale_, verification);
-      statistics_.verifySeconds = stopwatch.seconds();
-    }
-    std::optional<TimeBudget> budget;
-    if (hasBudget())
-    {
-      budget.emplace(execution, settings_.repairTimeBudget);
-    }
-    const Stopwatch repairing;
-    shootBorn(tracer, budget ? &*budget : nullptr, bearing);
-    repair.repair(*stale_, budget ? &*budget : nullptr, rest);
+    repair.verifyAndRepair(verification);
+    // Both take turns on each thread.
+    const WalkRepair::Figures& figures = repair.figures();
+    const double share =
+      figures.verifySeconds / (figures.verifySeconds + figures.repairSeconds + 1e-12);
+    statistics_.verifySeconds = share * stopwatch.seconds();
+    statistics_.repairSeconds = (1 - share) * stopwatch.seconds();
+  }
+  std::optional<TimeBudget> limit;
+  if (hasBudget())
+  {
+    limit.emplace(execution, settings_.repairTimeBudget);
+  }
+  TimeBudget* const budget = limit ? &*limit : nullptr;
+  const Stopwatch repairing;
+  shootBorn(tracer, budget, bearing);
+  if (stale_)
+  {
+    repair.repair(*stale_, budget, rest);
     stale_->setUnborn(unborn_, [&](std::uint32_t walk) { return gathered_->powerOf(walk); });
-    statistics_.repairSeconds = budget ? budget->elapsed() : repairing.seconds();
   }
+  statistics_.repairSeconds += budget ? budget->elapsed() : repairing.seconds();
   std::sort(repaired_.begin(), repaired_.end());
   statistics_.suspectSegments = verifier.numberOfSuspects();
   statistics_.invalidWalks += repair.figures().invalidWalks;
   statistics_.repairedSegments += repair.figures().repairedSegments;
 }
 
-void WalkSet::startAgain(const Frame& frame, Execution& execution)
+template <class Chosen>
+std::vector<std::uint32_t> WalkSet::walksOfBlocks(
+  const Chosen& isChosen, const CancelPoint& cancelPoint) const
 {
-  const std::size_t rounds = sums_.rounds();
-  statistics_.invalidWalks = numberStored();
-  start(frame, execution);
-  while (sums_.rounds() < rounds)
-  {
-    beginRound(true, frame, execution); // else there is nothing to follow
-  }
-  unborn_ = bornWalks(cancelPointOf(execution, 0));
-}
-
-bool WalkSet::hasMovedCells(const std::vector<bool>& moved) const
-{
-  const auto at = [&](std::uint32_t object) { return moved.begin() + (object - 1); };
-  return source_.isDynamic() &&
-    std::find(at(source_.cells->first), at(source_.cells->end), true) != at(source_.cells->end);
-}
-
-std::vector<std::uint32_t> WalkSet::bornWalks(const CancelPoint& cancelPoint) const
-{
-  std::vector<std::uint32_t> born;
+  std::vector<std::uint32_t> chosen;
   ThrottledCancelPoint pace(cancelPoint);
   for (std::size_t i = 0; i < history_.size(); ++i)
   {
@@ -301,27 +281,37 @@ std::vector<std::uint32_t> WalkSet::bornWalks(const CancelPoint& cancelPoint) co
     for (std::uint32_t walk = block.firstWalk(); walk < block.endWalk(); ++walk)
     {
       pace.step();
-      if (gathered_->isBorn(walk))
+      if (isChosen(block, walk))
       {
-        born.push_back(walk);
+        chosen.push_back(walk);
       }
     }
   }
-  return born;
+  return chosen;
 }
 
-std::int64_t WalkSet::numberStored() const
+void WalkSet::startAgain(const Frame& frame, Execution& execution)
 {
-  std::int64_t number = 0;
-  for (std::size_t i = 0; i < history_.size(); ++i)
+  const std::size_t rounds = sums_.rounds();
+  const auto isStored = [](const BounceBlock& block, std::uint32_t walk) {
+    return block.begin(walk) != BounceBlock::kNone;
+  };
+  statistics_.invalidWalks = static_cast<std::int64_t>(walksOfBlocks(isStored, {}).size());
+  start(frame, execution);
+  while (sums_.rounds() < rounds)
   {
-    const BounceBlock& block = history_.block(i);
-    for (std::uint32_t walk = block.firstWalk(); walk < block.endWalk(); ++walk)
-    {
-      number += block.begin(walk) != BounceBlock::kNone ? 1 : 0;
-    }
+    beginRound(true, frame, execution); // else there is nothing to follow
   }
-  return number;
+  unborn_ = walksOfBlocks(
+    [this](const BounceBlock&, std::uint32_t walk) { return gathered_->isBorn(walk); },
+    cancelPointOf(execution, 0));
+}
+
+bool WalkSet::hasMovedCells(const std::vector<bool>& moved) const
+{
+  const auto at = [&](std::uint32_t object) { return moved.begin() + (object - 1); };
+  return source_.isDynamic() &&
+    std::find(at(source_.cells->first), at(source_.cells->end), true) != at(source_.cells->end);
 }
 
 void WalkSet::followGathered(const Frame& frame, Execution& execution)
@@ -450,13 +440,6 @@ Bands WalkSet::largestStart() const
     });
   }
   return largest;
-}
-
-Box WalkSet::bounds(const Scene& scene) const
-{
-  Box bounds = scene.bounds();
-  bounds.add(lights().boundsInAir());
-  return bounds;
 }
 
 }

@@ -10,7 +10,6 @@
 #include "Surfaces/Frame.h"
 #include "Tally/CellSums.h"
 #include "Tally/PowerBalance.h"
-#include "Walks/WalkSettings.h"
 #include "Walks/WalkSource.h"
 
 #include <algorithm>
@@ -20,6 +19,55 @@
 
 namespace irradiance
 {
+
+/// How many walks are shot, and what is kept of them.
+struct WalkSettings
+{
+  std::uint32_t numberOfWalks = 1000000;
+  std::uint64_t seed = 1;
+  bool verify = true; ///< false: all walks of every frame are shot again
+  bool cacheStaticHits = false;
+  /// Whether cells gather the light that comes straight from the lights, and walks start where it
+  /// arrived; else walks start at the lights.
+  bool gathersDirectLight = false;
+  FewestSamples fewestSamples; ///< with which cells gather it
+  /// Whether walks are stored even if nothing can move, for filters that need their photons.
+  bool keepPhotons = false;
+  /// Whether each rank shoots and keeps all walks, for filters that read their photons there; else
+  /// the ranks share them.
+  bool allOnEachRank = false;
+  bool listRepaired = false;    ///< whether it is noted which walks a repair shoots again
+  std::uint32_t replicates = 1; ///< independent; with 2 or more, standard errors are known
+  /// Relative half-width of the 95 % interval that 95 % of the area is to reach; 0: no target. The
+  /// number of walks is doubled until then.
+  double targetRelativeError = 0;
+  std::uint32_t maximumNumberOfWalks = 10000000; ///< >= numberOfWalks; with a target
+  /// Seconds for the repair of a frame; what is not repaired in time stays stale for the next call.
+  /// 0: no limit.
+  double repairTimeBudget = 0;
+};
+
+/// What the walks of a frame cost.
+struct WalkStatistics
+{
+  std::int64_t suspectSegments = 0; ///< for which the verification cast a ray
+  std::int64_t invalidWalks = 0;    ///< found by the verification, or started where no light is now
+  std::int64_t repairedSegments = 0;
+  double shootSeconds = 0;
+  double verifySeconds = 0;
+  double repairSeconds = 0;
+
+  WalkStatistics& operator+=(const WalkStatistics& other)
+  {
+    suspectSegments += other.suspectSegments;
+    invalidWalks += other.invalidWalks;
+    repairedSegments += other.repairedSegments;
+    shootSeconds += other.shootSeconds;
+    verifySeconds += other.verifySeconds;
+    repairSeconds += other.repairSeconds;
+    return *this;
+  }
+};
 
 /**
  * A population of walks that start at the same lights, each with the same power: where they start,
@@ -111,8 +159,6 @@ public:
     return { frame.scene, frame.objects, frame.triangles, lights(), samples, &frame.contacts,
       gathered_.get() };
   }
-  /// Walks stay inside, except where they escape.
-  Box bounds(const Scene& scene) const;
 
 private:
   static DealtBlocks dealt(const Ranks& ranks, bool all)
@@ -136,17 +182,18 @@ private:
   /// Follows what a motion changes of the direct light: takes back the walks that no longer start,
   /// and notes which are to be born.
   void followGathered(const Frame& frame, Execution& execution);
-  std::int64_t numberStored() const; ///< of walks
   void takeBack(const std::vector<std::uint32_t>& walks, const SceneTriangles& triangles,
     const CancelPoint& cancelPoint);
-  /// Of this rank, in order.
-  std::vector<std::uint32_t> bornWalks(const CancelPoint& cancelPoint) const;
+  /// Walks of this rank that isChosen(block, walk), in order.
+  template <class Chosen>
+  std::vector<std::uint32_t> walksOfBlocks(
+    const Chosen& isChosen, const CancelPoint& cancelPoint) const;
   /// Shoots walks that are to be born, as far as the budget goes; null: all.
   void shootBorn(const WalkTracer& tracer, TimeBudget* budget, Execution& execution);
   /// The rest of follow(): what was gathered is up to date.
   void followWalks(const std::vector<bool>& moved, const Frame& frame, PhotonChanges* changes,
     Execution& execution);
-  DirectRounds::Totals totals() { return { sums_, balance_, blocks_ }; }
+  DirectGather::Totals totals() { return { sums_, balance_, blocks_ }; }
   /// What a motion may change, to be looked for among stored segments.
   BounceScan scanOf(const std::vector<bool>& moved, const Frame& frame) const;
   /// An arena for pages of so many bands: the one of before, if it will do.

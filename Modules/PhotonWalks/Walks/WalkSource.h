@@ -20,12 +20,13 @@ struct WalkSource
   WalkPlan plan; ///< of the walks that divide the flux of the lights
   /// The cells where direct light is gathered and walks start; none: they start at the lights.
   std::optional<CellPart> cells;
-  bool areFoundByRays = false; ///< the lights: rays of a final gather meet them, see DimLights
+  bool areFoundByRays = false; ///< the lights: rays of a final gather meet them, see FirstHits
   bool areNear = false;        ///< the lights, to what they shine on, see FirstHits
   std::uint32_t firstWalk = 0; ///< the number of the first of these walks
   /// With which a walk starts at cells, in all bands together.
   std::int64_t quantaPerStart = 0;
-  DirectPlan::Density density;             ///< of the samples of cells
+  double walksPerSample = 0;               ///< that a cell may receive for each of its samples
+  FewestSamples fewest;                    ///< of cells
   std::shared_ptr<const LampPieces> lamps; ///< of the lights, if addLamps() made them
 
   /// Whether walks start at dynamic cells. Those at static ones have the same lights.
@@ -41,7 +42,8 @@ struct WalkSource
   {
     return a.plan == b.plan && a.lights == b.lights && a.cells == b.cells &&
       a.areFoundByRays == b.areFoundByRays && a.areNear == b.areNear &&
-      a.firstWalk == b.firstWalk && a.quantaPerStart == b.quantaPerStart && a.density == b.density;
+      a.firstWalk == b.firstWalk && a.quantaPerStart == b.quantaPerStart &&
+      a.walksPerSample == b.walksPerSample && a.fewest == b.fewest;
   }
 };
 

@@ -101,12 +101,9 @@ Box boxAround(const MovedEllipsoid& ellipsoid)
   return { ellipsoid.center - reach, ellipsoid.center + reach };
 }
 
+/// Of a box that is not empty.
 Box boxOfModelBox(const Box& modelBox, const AffineMap& worldFromObject)
 {
-  if (modelBox.isEmpty())
-  {
-    return {};
-  }
   const Matrix3 absolute = worldFromObject.linear.cwiseAbs();
   const Vector3 middle = modelBox.center();
   const Vector3 half = (modelBox.upper - middle).cwiseMax(middle - modelBox.lower);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ellipsoids/EnclosingEllipsoid.h"
 
-#include "Ellipsoids/CubeFrame.h"
 #include "Ellipsoids/PrincipalAxes.h"
 
 #include <CGAL/Approximate_min_ellipsoid_d.h>
@@ -61,13 +60,6 @@ void requireUsable(const Points& points, ThrottledCancelPoint& pace)
   }
 }
 
-/// |upper * (x - center)| <= 1 in the cube frame.
-struct CubeEllipsoid
-{
-  Vector3 center = Vector3::Zero();
-  Matrix3 upper = Matrix3::Identity() / std::sqrt(3.0); // around the whole cube
-};
-
 /// The points that CGAL sees: the active ones, and some that keep the set from being degenerate.
 Points fullDimensional(const Points& active, const CubeFrame& frame)
 {
@@ -93,7 +85,8 @@ Points fullDimensional(const Points& active, const CubeFrame& frame)
   return points;
 }
 
-std::optional<CubeEllipsoid> proposeByCgal(const Points& points)
+/// In the cube frame.
+std::optional<EnclosingEllipsoid> proposeByCgal(const Points& points)
 {
   using Kernel = CGAL::Simple_cartesian<double>;
   using Traits = CGAL::Approximate_min_ellipsoid_d_traits_3<Kernel, double>;
@@ -123,33 +116,34 @@ std::optional<CubeEllipsoid> proposeByCgal(const Points& points)
   {
     return std::nullopt;
   }
-  return CubeEllipsoid{ -0.5 * factor.solve(vector), factor.matrixU() };
+  return EnclosingEllipsoid{ -0.5 * factor.solve(vector), factor.matrixU() };
 }
 
 /// The ellipsoid around `active` in the cube frame; falls back to the one around the cube.
-CubeEllipsoid encloseInCube(const Points& active, const CubeFrame& frame)
+EnclosingEllipsoid encloseInCube(const Points& active, const CubeFrame& frame)
 {
+  const EnclosingEllipsoid aroundCube{ Vector3::Zero(), Matrix3::Identity() / std::sqrt(3.0) };
   const Points points = fullDimensional(active, frame);
-  std::optional<CubeEllipsoid> proposal = proposeByCgal(points);
+  std::optional<EnclosingEllipsoid> proposal = proposeByCgal(points);
   if (!proposal)
   {
-    return {};
+    return aroundCube;
   }
   double reach = 0.0;
   for (const Vector3& point : points)
   {
-    reach = std::max(reach, (proposal->upper * (point - proposal->center)).norm());
+    reach = std::max(reach, (proposal->shape * (point - proposal->center)).norm());
   }
-  proposal->upper /= reach; // CGAL's own radius is up to (1 + eps)^1.5 too large in volume
-  const double volumeOverCube = 1.0 / std::abs(proposal->upper.determinant());
+  proposal->shape /= reach; // CGAL's own radius is up to (1 + eps)^1.5 too large in volume
+  const double volumeOverCube = 1.0 / std::abs(proposal->shape.determinant());
   const double cubeEllipsoid = std::pow(3.0, 1.5);
-  return volumeOverCube <= 1.01 * cubeEllipsoid ? *proposal : CubeEllipsoid{};
+  return volumeOverCube <= 1.01 * cubeEllipsoid ? *proposal : aroundCube;
 }
 
-EnclosingEllipsoid toModel(const CubeEllipsoid& ellipsoid, const CubeFrame& frame)
+EnclosingEllipsoid toModel(const EnclosingEllipsoid& ellipsoid, const CubeFrame& frame)
 {
   const Matrix3 modelFromCube = frame.axes * frame.halfWidth.asDiagonal();
-  const Matrix3 semiAxes = principalSemiAxes(modelFromCube * ellipsoid.upper.inverse());
+  const Matrix3 semiAxes = principalSemiAxes(modelFromCube * ellipsoid.shape.inverse());
   EnclosingEllipsoid result;
   result.center = frame.origin + modelFromCube * ellipsoid.center;
   for (int axis = 0; axis < 3; ++axis)

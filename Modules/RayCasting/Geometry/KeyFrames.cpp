@@ -19,18 +19,6 @@ using Eigen::Quaterniond;
 /// Columns of a pose may be this far from right angles (cosine), as files have few digits.
 constexpr double kLargestShear = 1e-5;
 
-/// The weights of two keys and their slopes in a cubic (Hermite) over an interval of length 1.
-struct HermiteWeights
-{
-  double from, to, fromSlope, toSlope;
-};
-
-HermiteWeights hermiteWeights(double u)
-{
-  const double v = 1 - u;
-  return { (1 + 2 * u) * v * v, (1 + 2 * v) * u * u, u * v * v, -u * u * v };
-}
-
 /// The rotation vector (axis times angle) of the shorter way.
 Vector3 logOf(Quaterniond rotation)
 {
@@ -184,7 +172,10 @@ KeyFrames::Parts KeyFrames::linear(std::size_t i, double fraction) const
 /// relative to the first key of the piece, which agree at the keys.
 KeyFrames::Parts KeyFrames::spline(std::size_t i, double fraction) const
 {
-  const HermiteWeights weights = hermiteWeights(fraction);
+  // The weights of the second key and of the slopes in a cubic (Hermite) over an interval of length
+  // 1.
+  const double u = fraction, v = 1 - u;
+  const double to = (1 + 2 * v) * u * u, fromSlope = u * v * v, toSlope = -u * u * v;
   const double length = keys_[i + 1].time - keys_[i].time;
   const Quaterniond base = parts_[i].rotation;
   // The slope of a quantity at key k, times `length`. `step(a, b)`: how far it goes from key a to
@@ -202,8 +193,7 @@ KeyFrames::Parts KeyFrames::spline(std::size_t i, double fraction) const
     return (speed(k - 1) * after + speed(k) * before) * (length / (before + after));
   };
   const auto cubic = [&](const auto& step) -> Vector3 {
-    return weights.to * step(i, i + 1) + weights.fromSlope * slope(i, step) +
-      weights.toSlope * slope(i + 1, step);
+    return to * step(i, i + 1) + fromSlope * slope(i, step) + toSlope * slope(i + 1, step);
   };
   const Vector3 moved = cubic([&](std::size_t a, std::size_t b) -> Vector3 {
     return parts_[b].position - parts_[a].position;

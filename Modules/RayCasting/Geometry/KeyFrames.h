@@ -42,7 +42,6 @@ public:
     std::vector<KeyFrame> keys, KeyInterpolation interpolation, const CancelPoint& cancelPoint);
 
   bool isEmpty() const { return keys_.empty(); }
-  const std::vector<KeyFrame>& keys() const { return keys_; }
   double begin() const { return keys_.front().time; }
   double end() const { return keys_.back().time; }
   /// The times of the keys, and between them others at equal distances, none longer than 1 /

@@ -9,26 +9,6 @@
 namespace irradiance
 {
 
-/// The coordinate axes as a ray orders them: along z its direction is largest; x and y follow so
-/// that the triangle's orientation, as the ray sees it, is kept.
-struct RayAxes
-{
-  int x, y, z;
-
-  explicit RayAxes(const Vector3& direction)
-  {
-    // Which component is largest is unpredictable, so there are no branches here.
-    constexpr int kNext[4] = { 1, 2, 0, 1 };
-    const Vector3 steepness = direction.cwiseAbs();
-    const int steeper = static_cast<int>(steepness[1] > steepness[0]);
-    const int isLast = static_cast<int>(steepness[2] > steepness[steeper]);
-    z = steeper + isLast * (2 - steeper);
-    const int flip = static_cast<int>(direction[z] < 0);
-    x = kNext[z + flip];
-    y = kNext[z + 1 - flip];
-  }
-};
-
 /**
  * The only ray/triangle test of the project. Every traversal, every verification and brute force
  * call it, so that they agree bit for bit.
@@ -47,7 +27,8 @@ struct Intersection
   double distance; ///< in units of the direction; this and the weights are valid only if isHit
   double weightA, weightB, weightC; ///< barycentric
 
-  /// Coordinates in the order of RayAxes.
+  /// Coordinates in the order of a ray: along z its direction is largest; x and y follow so that the
+  /// orientation of the triangle, as the ray sees it, is kept.
   struct Point
   {
     double x, y, z;
@@ -109,10 +90,18 @@ class ShearedRay
 {
 public:
   ShearedRay(const Vector3& origin, const Vector3& direction)
-    : axes_(direction)
-    , origin_(ordered(origin))
-    , direction_(ordered(direction))
   {
+    // Which component is largest is unpredictable, so there are no branches here.
+    constexpr int kNext[4] = { 1, 2, 0, 1 };
+    const Vector3 steepness = direction.cwiseAbs();
+    const int steeper = static_cast<int>(steepness[1] > steepness[0]);
+    const int isLast = static_cast<int>(steepness[2] > steepness[steeper]);
+    z_ = steeper + isLast * (2 - steeper);
+    const int flip = static_cast<int>(direction[z_] < 0);
+    x_ = kNext[z_ + flip];
+    y_ = kNext[z_ + 1 - flip];
+    origin_ = ordered(origin);
+    direction_ = ordered(direction);
   }
 
   /// True if the ray hits the closed triangle in front of its origin. Then `distance` is set, in
@@ -136,10 +125,10 @@ public:
 private:
   Intersection::Point ordered(const Vector3& point) const
   {
-    return { point[axes_.x], point[axes_.y], point[axes_.z] };
+    return { point[x_], point[y_], point[z_] };
   }
 
-  RayAxes axes_;
+  int x_, y_, z_; ///< the axes in the order of the ray
   Intersection::Point origin_, direction_;
 };
 

@@ -4,6 +4,8 @@
 
 #include "Geometry/Vector.h"
 
+#include <algorithm>
+
 namespace irradiance
 {
 
@@ -16,7 +18,20 @@ struct UnitFrame
   double scale = 1;
 
   UnitFrame() = default;
-  explicit UnitFrame(const Box& box);
+  explicit UnitFrame(const Box& box)
+  {
+    if (!box.isEmpty())
+    {
+      // Boxes smaller than 2^-500 count as points, so that the scale stays finite.
+      constexpr int kSmallestExponent = -500;
+      center = box.center();
+      int exponent = 0;
+      std::frexp(0.5 * box.extent().maxCoeff(), &exponent);
+      // A box without extent is a point, for which any scale will do.
+      scale =
+        box.extent().maxCoeff() > 0 ? std::ldexp(1.0, -std::max(exponent, kSmallestExponent)) : 1.0;
+    }
+  }
 
   Vector3 operator()(const Vector3& position) const { return (position - center) * scale; }
 };

@@ -15,6 +15,7 @@ namespace irradiance
 using Vector3 = Eigen::Vector3d;
 using Matrix3 = Eigen::Matrix3d;
 
+constexpr double kPi = 3.14159265358979323846;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// x -> linear * x + translation. Variables name both frames: `worldFromObject`.
@@ -66,6 +67,18 @@ struct Box
     return isEmpty() ? 0.0 : lower.cwiseAbs().cwiseMax(upper.cwiseAbs()).maxCoeff();
   }
 };
+
+/// Bounds of a box that a map has moved; empty if the box is empty. Not rounded outwards.
+inline Box movedBox(const AffineMap& map, const Box& box)
+{
+  if (box.isEmpty())
+  {
+    return {};
+  }
+  const Vector3 center = map(box.center());
+  const Vector3 reach = 0.5 * map.linear.cwiseAbs() * box.extent();
+  return { center - reach, center + reach };
+}
 
 }
 

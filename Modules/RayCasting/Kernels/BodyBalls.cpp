@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Kernels/BodyBalls.h"
 
-#include "Kernels/BallLanes.h"
-
 #include <cmath>
 #include <limits>
 
@@ -11,6 +9,7 @@ namespace irradiance
 
 BodyBalls::BodyBalls(const std::vector<Vector3>& centers, const std::vector<double>& squaredRadii)
 {
+  constexpr double kWider = 0x1p-16; // of the square of a radius
   const auto isFinite = [&](std::size_t i) {
     return centers[i].allFinite() && std::isfinite(squaredRadii[i]);
   };
@@ -28,7 +27,7 @@ BodyBalls::BodyBalls(const std::vector<Vector3>& centers, const std::vector<doub
   {
     const Vector3 center = isFinite(i) ? frame_(centers[i]) : Vector3::Zero();
     const double power = isFinite(i)
-      ? center.squaredNorm() - squaredRadii[i] * frame_.scale * frame_.scale - BallLanes::kWider
+      ? center.squaredNorm() - squaredRadii[i] * frame_.scale * frame_.scale - kWider
       : -std::numeric_limits<double>::infinity();
     balls_.push_back({ { static_cast<float>(center[0]), static_cast<float>(center[1]),
                          static_cast<float>(center[2]) },

@@ -17,8 +17,8 @@ public:
   struct Ball
   {
     float center[3]; ///< no coordinate is beyond 1
-    float
-      power; ///< of the frame's centre: the square of its distance less that of the radius, widened
+    /// Of the frame's centre: the square of its distance less that of the radius, widened.
+    float power;
   };
 
   BodyBalls() = default;
@@ -33,6 +33,18 @@ public:
 private:
   UnitFrame frame_;
   std::vector<Ball> balls_;
+};
+
+/// An ellipsoid as floats can test it: every point of the object is `center` + y / `scale` with
+/// |roundFromScaled y| <= a radius. Documentation/Theory.md, section 3, derives what pays for
+/// rounding.
+struct EllipsoidFilter
+{
+  double center[3];
+  double scale;             ///< a power of two; the longest row of the map is about 1 then
+  float roundFromScaled[9]; ///< row by row
+  float squaredRadius;      ///< widened
+  float byDistance;         ///< more of it, per squared distance of the ray's origin
 };
 
 /// Some of the rays that follow each other, from `first` on, whose lines may touch the ball of a

@@ -1,16 +1,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Kernels/FrontStages.h"
 #include "Kernels/QueryCounts.h"
-#include "Trees/KdTree.h"
-#include "Trees/PaddedRay.h"
+#include "Trees/KdTreeBuilder.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace irradiance
 {
 
 namespace
 {
+
+/// A ray as a kd-tree traversal in double needs it. All cells are widened by `pad`, 2^-36 of the
+/// reach, which is far more than any rounding. Documentation/Theory.md has the reasons.
+struct PaddedRay
+{
+  double origin[3];
+  double inverse[3]; ///< of the direction
+  double pad[3];     ///< on the ray
+  unsigned nearChild[3];
+  double from = -kInfinity, to = kInfinity; ///< the part inside the box
+
+  PaddedRay(const Box& box, const Vector3& start, const Vector3& direction)
+  {
+    constexpr double kParallel = 1e-150;
+    // From the start to the far corner of the box, by the largest component.
+    const double reach = std::max(
+      (box.lower - start).cwiseAbs().maxCoeff(), (box.upper - start).cwiseAbs().maxCoeff());
+    for (int i = 0; i < 3; ++i)
+    {
+      origin[i] = start[i];
+      inverse[i] = std::abs(direction[i]) < kParallel ? std::copysign(1 / kParallel, direction[i])
+                                                      : 1 / direction[i];
+      pad[i] = 0x1p-36 * reach * std::abs(inverse[i]);
+      nearChild[i] = inverse[i] < 0 ? 1u : 0u;
+      const double lower = (box.lower[i] - origin[i]) * inverse[i];
+      const double upper = (box.upper[i] - origin[i]) * inverse[i];
+      from = std::max(from, std::min(lower, upper) - pad[i]);
+      to = std::min(to, std::max(lower, upper) + pad[i]);
+    }
+  }
+};
 
 /// Searches the treelets in double, and rejects no triangle by floats.
 class ExactSearch
@@ -26,8 +57,7 @@ public:
     , rate_(largestOf(rays, ray) * tree.frame().scale)
     , padded_(tree.bounds(), tree.frame()(originOf(rays, ray)),
         directionOf(rays, ray) / largestOf(rays, ray))
-    , octant_(
-        padded_.axes[0].nearChild | padded_.axes[1].nearChild << 1 | padded_.axes[2].nearChild << 2)
+    , octant_(padded_.nearChild[0] | padded_.nearChild[1] << 1 | padded_.nearChild[2] << 2)
   {
   }
 
@@ -37,12 +67,11 @@ public:
     push(tree_.root(), std::max(0.0, padded_.from), padded_.to);
     while (depth_ > 0)
     {
-      const Entry entry = stack_[--depth_];
-      if (entry.from <= limit_)
+      const auto [child, from] = stack_[--depth_];
+      if (from <= limit_)
       {
-        (entry.child & Treelet::kLeaf) == 0
-          ? stepInto(tree_.treelets()[entry.child])
-          : testLeaf(tree_.blocks() + (entry.child & ~Treelet::kLeaf));
+        (child & Treelet::kLeaf) == 0 ? stepInto(tree_.treelets()[child])
+                                      : testLeaf(tree_.blocks() + (child & ~Treelet::kLeaf));
       }
     }
     if (queryCounts())
@@ -52,12 +81,6 @@ public:
   }
 
 private:
-  struct Entry
-  {
-    std::uint32_t child; ///< as in a treelet
-    double from;
-  };
-
   void push(std::uint32_t child, double from, double to)
   {
     if (from <= to)
@@ -75,13 +98,13 @@ private:
     std::fill_n(to, Treelet::kSize, limit_);
     for (int i = 0; i < 3; ++i)
     {
-      const PaddedRay::Axis& axis = padded_.axes[i];
-      const float* near = treelet.bounds[axis.nearChild][i];
-      const float* far = treelet.bounds[1 - axis.nearChild][i];
+      const double origin = padded_.origin[i], inverse = padded_.inverse[i], pad = padded_.pad[i];
+      const float* near = treelet.bounds[padded_.nearChild[i]][i];
+      const float* far = treelet.bounds[1 - padded_.nearChild[i]][i];
       for (unsigned lane = 0; lane < Treelet::kSize; ++lane)
       {
-        from[lane] = std::max(from[lane], (near[lane] - axis.origin) * axis.inverse - axis.pad);
-        to[lane] = std::min(to[lane], (far[lane] - axis.origin) * axis.inverse + axis.pad);
+        from[lane] = std::max(from[lane], (near[lane] - origin) * inverse - pad);
+        to[lane] = std::min(to[lane], (far[lane] - origin) * inverse + pad);
       }
     }
     for (const unsigned lane : treelet.farToNear[octant_])
@@ -96,19 +119,14 @@ private:
 
   void testLeaf(const TriangleBlock* block)
   {
-    for (bool hasMore = true; hasMore; ++block)
-    {
-      hasMore = !block->isLast();
-      ++counts_.blocks;
-      for (unsigned lane = 0; lane < TriangleBlock::kSize; ++lane)
+    const TriangleBlock* const end = forEachListed(block, [&](std::uint32_t reference) {
+      if (reference != skipped_)
       {
-        if (block->reference(lane) != TriangleBlock::kNone && block->reference(lane) != skipped_)
-        {
-          tester_.test(ray_, block->reference(lane));
-          setLimit();
-        }
+        tester_.test(ray_, reference);
+        setLimit();
       }
-    }
+    });
+    counts_.blocks += static_cast<std::uint64_t>(end - block);
   }
 
   void setLimit() { limit_ = best_ * rate_ + tree_.slack(); }
@@ -128,7 +146,8 @@ private:
   unsigned octant_;
   QueryCounts counts_;
   int depth_ = 0;
-  Entry stack_[(KdTree::kMaxDepth + 1) * (Treelet::kSize - 1) + 2];
+  /// Children, as in treelets, and where the ray enters them.
+  std::pair<std::uint32_t, double> stack_[(KdTree::kMaxDepth + 1) * (Treelet::kSize - 1) + 2];
 };
 
 }

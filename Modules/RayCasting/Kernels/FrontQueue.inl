@@ -14,7 +14,11 @@ public:
   explicit FrontQueue(FrontSearches& front)
     : front_(front)
   {
-    common_.setTree(*front.tree);
+    const TriangleTree& tree = front.tree;
+    common_.tree = &tree;
+    common_.slack = static_cast<float>(tree.slack() + TreeQuery::kBlur);
+    common_.edgeBlur = static_cast<float>(TreeQuery::kEdgeBlur + 4 * tree.blur());
+    common_.leastBlur = static_cast<float>(TreeQuery::kLeastBlur + 32 * tree.blur());
   }
 
   /// The next search; false if there is none.
@@ -24,27 +28,13 @@ public:
     {
       return false;
     }
-    const PreparedQuery& prepared = front_.queries[next_++];
-    query.tree = common_.tree;
-    // What follows each three numbers is not for the lanes of the query, and they do not mind it.
-    std::memcpy(query.origin, prepared.origin, sizeof(query.origin));
-    std::memcpy(query.direction, prepared.direction, sizeof(query.direction));
-    std::memcpy(query.inverse, prepared.inverse, sizeof(query.inverse));
-    std::memcpy(query.originInverse, prepared.originInverse, sizeof(query.originInverse));
-    query.limit = prepared.limit;
-    query.pad = prepared.pad;
-    query.slack = common_.slack;
+    query = common_;
+    static_cast<PreparedQuery&>(query) = front_.queries[next_++];
     // Half a pad for the entry of a box, two for its order; see Documentation/Theory.md.
-    query.margin = common_.slack + 3 * prepared.pad;
-    query.edgeBlur = common_.edgeBlur;
-    query.leastBlur = common_.leastBlur;
-    query.skipped = prepared.skipped;
-    query.behind = prepared.behind;
-    query.behindAxis = prepared.behindAxis;
-    query.behindSign = __builtin_copysignf(0.0F, prepared.direction[prepared.behindAxis]);
-    query.octant = signOf(prepared.direction[0]) | signOf(prepared.direction[1]) << 1 |
-      signOf(prepared.direction[2]) << 2;
-    query.ray = prepared.ray;
+    query.margin = query.slack + 3 * query.pad;
+    query.behindSign = __builtin_copysignf(0.0F, query.direction[query.behindAxis]);
+    query.octant = signOf(query.direction[0]) | signOf(query.direction[1]) << 1 |
+      signOf(query.direction[2]) << 2;
     return true;
   }
 
@@ -56,9 +46,7 @@ public:
       return;
     }
     front_.candidate[query.ray] = references[0];
-    const char* const row = front_.rows + references[0] * front_.rowBytes;
-    prefetchLine(row);
-    prefetchLine(row + front_.cornerBytes - 1);
+    front_.corners.prefetch(references[0]);
     if (__builtin_expect(count > 1, 0))
     {
       addFurther(query.ray, references, count);
@@ -95,7 +83,7 @@ private:
 
   FrontSearches& front_;
   std::uint32_t next_ = 0;
-  TreeQuery common_; ///< what all have in common
+  TreeQuery common_{}; ///< what all have in common
 };
 
 }

@@ -2,92 +2,136 @@
 #ifndef irradiance_FrontStages_h
 #define irradiance_FrontStages_h
 
-#include "Kernels/BallLanes.h"
-#include "Kernels/EllipsoidLanes.h"
+#include "Geometry/TriangleIntersection.h"
+#include "Kernels/BodyBalls.h"
 #include "Kernels/PrepareLanes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace irradiance
 {
 
-/// Tests triangles at once, in double: few, where there is no room for more candidates or floats do
-/// not serve.
-class FrontTester
+/// Eight intersections of a ray and a triangle, side by side.
+struct IntersectionLanes
 {
-public:
-  virtual void test(std::uint32_t ray, std::uint32_t reference) = 0;
+  static constexpr unsigned kSize = 8;
 
-protected:
-  ~FrontTester() = default;
+  struct alignas(64) Points
+  {
+    double x[kSize] = {}, y[kSize] = {}, z[kSize] = {};
+
+    void set(unsigned lane, const Vector3& point)
+    {
+      x[lane] = point[0];
+      y[lane] = point[1];
+      z[lane] = point[2];
+    }
+    /// In the order of the ray.
+    __attribute__((always_inline)) Intersection::Point ordered(
+      unsigned lane, int axis, bool isFlipped) const
+    {
+      const double px = x[lane], py = y[lane], pz = z[lane];
+      const double first = axis == 0 ? py : axis == 1 ? pz : px;
+      const double second = axis == 0 ? pz : axis == 1 ? px : py;
+      return { isFlipped ? second : first, isFlipped ? first : second,
+        axis == 0     ? px
+          : axis == 1 ? py
+                      : pz };
+    }
+  };
+
+  Points origin, direction, a, b, c;
+  alignas(64) double distance[kSize] = {}; ///< NaN where the ray misses
+  alignas(64) double weightB[kSize] = {}, weightC[kSize] = {};
+
+  void set(
+    unsigned lane, const Vector3& rayOrigin, const Vector3& rayDirection, const Triangle& triangle)
+  {
+    origin.set(lane, rayOrigin);
+    direction.set(lane, rayDirection);
+    a.set(lane, triangle.a);
+    b.set(lane, triangle.b);
+    c.set(lane, triangle.c);
+  }
+
+  /// Is compiled once for each instruction set.
+  __attribute__((always_inline)) void intersect()
+  {
+    for (unsigned lane = 0; lane < kSize; ++lane)
+    {
+      const double steepX = std::abs(direction.x[lane]), steepY = std::abs(direction.y[lane]);
+      const bool isYSteeper = steepY > steepX;
+      const bool isZ = std::abs(direction.z[lane]) > (isYSteeper ? steepY : steepX);
+      const int axis = isZ ? 2 : isYSteeper ? 1 : 0;
+      const bool isFlipped = (isZ             ? direction.z[lane]
+                                 : isYSteeper ? direction.y[lane]
+                                              : direction.x[lane]) < 0;
+      const Intersection intersection(origin.ordered(lane, axis, isFlipped),
+        direction.ordered(lane, axis, isFlipped), a.ordered(lane, axis, isFlipped),
+        b.ordered(lane, axis, isFlipped), c.ordered(lane, axis, isFlipped));
+      distance[lane] =
+        intersection.isHit ? intersection.distance : std::numeric_limits<double>::quiet_NaN();
+      weightB[lane] = intersection.weightB;
+      weightC[lane] = intersection.weightC;
+    }
+  }
 };
 
-/// A triangle that a search found beside the first.
-struct FurtherCandidate
+/// The stages of a cast in one tree, compiled for one instruction set. All find the same hits, bit
+/// for bit.
+struct FrontStages
 {
-  std::uint32_t ray, reference;
+  /// Writes the rays that may touch the ellipsoid to `picked`, with room for all; returns their
+  /// number.
+  std::uint32_t (*pick)(const TreeRays& rays, const EllipsoidFilter& filter, std::uint32_t* picked);
+  /// Writes which rays may touch which ball to `found`, with room for as many for every kLeastLanes
+  /// rays as there are balls; returns their number. More may be near than the ellipsoids let pass.
+  std::uint32_t (*findNear)(const TreeRays& rays, const BodyBalls& balls, NearRays* found);
+  /// Sets the queries and the other rays.
+  void (*prepare)(const TreeRays& rays, FrontSearches& searches);
+  void (*search)(FrontSearches& searches);
+  /// Tests the triangle `candidate[i]`, unless it is kNone, for each ray i, and keeps the closer
+  /// hits.
+  void (*confirm)(const TreeRays& rays, const std::uint32_t* candidate, const CornerRows& corners);
+  void (*intersect)(IntersectionLanes& lanes);
 };
 
-/// Searches of a front in one tree, and where they write what they find.
-struct FrontSearches
+/// By the best instructions of the machine.
+const FrontStages& frontStages();
+const FrontStages& frontStagesPlain();
+const FrontStages& frontStagesAvx2();
+const FrontStages& frontStagesAvx512();
+
+/// Tests so many rays with a triangle each, eight at a time, and keeps the closer hits. set(i,
+/// lanes, lane) sets a lane to the i-th test, and returns its ray and the triangle's number.
+template <class Set>
+void confirmEach(const TreeRays& rays, std::size_t count, const Set& set)
 {
-  const TriangleTree* tree;
-  const PreparedQuery* queries;
-  std::uint32_t count;
-  std::uint32_t* candidate; ///< by ray, the first found
-  FurtherCandidate* further;
-  std::uint32_t furtherCount, furtherRoom;
-  const char* rows;        ///< of the triangles, to prefetch
-  std::size_t rowBytes;    ///< from one to the next
-  std::size_t cornerBytes; ///< of one, that the test reads
-  FrontTester& tester;
-};
+  constexpr std::size_t kSize = IntersectionLanes::kSize;
+  IntersectionLanes lanes;
+  FurtherCandidate tests[kSize];
+  for (std::size_t first = 0; first < count; first += kSize)
+  {
+    const auto some = static_cast<unsigned>(std::min(count - first, kSize));
+    for (unsigned lane = 0; lane < some; ++lane)
+    {
+      tests[lane] = set(first + lane, lanes, lane);
+    }
+    frontStages().intersect(lanes);
+    for (unsigned lane = 0; lane < some; ++lane)
+    {
+      rays.keepCloser(tests[lane].ray, tests[lane].reference, lanes.distance[lane],
+        lanes.weightB[lane], lanes.weightC[lane]);
+    }
+  }
+}
 
-/// The corners of triangles, nine doubles, at equal distances in memory.
-struct CornerRows
-{
-  const double* first;
-  std::size_t stride; ///< doubles from one to the next
-
-  const double* of(std::uint32_t triangle) const { return first + triangle * stride; }
-};
-
-/// The stages of a cast in one tree, each with the best instructions of the machine. The hits found
-/// are the same, bit for bit. Writes the rays that may touch the ellipsoid to `picked`, with room
-/// for all; returns their number.
-std::uint32_t pickFront(const TreeRays& rays, const EllipsoidFilter& filter, std::uint32_t* picked);
-/// Writes which rays may touch which ball to `found`, with room for as many for every kLeastLanes
-/// rays as there are balls; returns their number. More may be near than the ellipsoids let pass.
-std::uint32_t findNear(const TreeRays& rays, const BodyBalls& balls, NearRays* found);
-void prepareFront(const TriangleTree& tree, const TreeRays& rays, PreparedQueries& queries);
-void searchFront(FrontSearches& searches);
 /// Searches for one of the rays that floats cannot follow, all in double. The tree must not be
 /// empty.
 void searchExactly(
   const TriangleTree& tree, const TreeRays& rays, std::uint32_t ray, FrontTester& tester);
-/// Tests the triangle `candidate[i]`, unless it is kNone, for each ray i, and keeps the closer
-/// hits.
-void confirmFront(const TreeRays& rays, const std::uint32_t* candidate, const CornerRows& corners);
-
-std::uint32_t pickFrontPlain(
-  const TreeRays& rays, const EllipsoidFilter& filter, std::uint32_t* picked);
-std::uint32_t pickFrontAvx2(
-  const TreeRays& rays, const EllipsoidFilter& filter, std::uint32_t* picked);
-std::uint32_t pickFrontAvx512(
-  const TreeRays& rays, const EllipsoidFilter& filter, std::uint32_t* picked);
-std::uint32_t findNearPlain(const TreeRays& rays, const BodyBalls& balls, NearRays* found);
-std::uint32_t findNearAvx2(const TreeRays& rays, const BodyBalls& balls, NearRays* found);
-std::uint32_t findNearAvx512(const TreeRays& rays, const BodyBalls& balls, NearRays* found);
-void prepareFrontPlain(const TriangleTree& tree, const TreeRays& rays, PreparedQueries& queries);
-void prepareFrontAvx2(const TriangleTree& tree, const TreeRays& rays, PreparedQueries& queries);
-void prepareFrontAvx512(const TriangleTree& tree, const TreeRays& rays, PreparedQueries& queries);
-void searchFrontPlain(FrontSearches& searches);
-void searchFrontAvx2(FrontSearches& searches);
-void searchFrontAvx512(FrontSearches& searches);
-void confirmFrontPlain(
-  const TreeRays& rays, const std::uint32_t* candidate, const CornerRows& corners);
-void confirmFrontAvx2(
-  const TreeRays& rays, const std::uint32_t* candidate, const CornerRows& corners);
-void confirmFrontAvx512(
-  const TreeRays& rays, const std::uint32_t* candidate, const CornerRows& corners);
 
 }
 

@@ -2,9 +2,7 @@
 #ifndef irradiance_PrepareLanes_h
 #define irradiance_PrepareLanes_h
 
-#include "Kernels/PreparedQuery.h"
 #include "Kernels/TreeQuery.h"
-#include "Kernels/TreeRays.h"
 #include "Simd/Transpose4.h"
 #include "Trees/KdBounds.h"
 
@@ -12,15 +10,6 @@
 
 namespace irradiance
 {
-
-/// Searches of rays in a tree, ready for the kernels.
-struct PreparedQueries
-{
-  PreparedQuery* queries; ///< room for TreeRays::roomFor(count)
-  std::uint32_t count;
-  std::uint32_t* others; ///< rays that floats cannot follow, for searchExactly(); as much room
-  std::uint32_t otherCount;
-};
 
 /**
  * Prepares searches of 16 rays side by side. It is in double until a ray begins near the tree's
@@ -67,10 +56,14 @@ struct PrepareLanes
       const float ix = static_cast<float>(largest / dx), iy = static_cast<float>(largest / dy),
                   iz = static_cast<float>(largest / dz);
       const float flattest = most(most(size(ix), size(iy)), size(iz));
-      const Slab x(lowerX - ox, upperX - ox, ix), y(lowerY - oy, upperY - oy, iy),
-        z(lowerZ - oz, upperZ - oz, iz);
-      const float entry = most(most(x.entry, y.entry), z.entry);
-      const float exit = least(least(x.exit, y.exit), z.exit);
+      const float ax = static_cast<float>(lowerX - ox) * ix,
+                  bx = static_cast<float>(upperX - ox) * ix,
+                  ay = static_cast<float>(lowerY - oy) * iy,
+                  by = static_cast<float>(upperY - oy) * iy,
+                  az = static_cast<float>(lowerZ - oz) * iz,
+                  bz = static_cast<float>(upperZ - oz) * iz;
+      const float entry = most(most(least(ax, bx), least(ay, by)), least(az, bz));
+      const float exit = least(least(most(ax, bx), most(ay, by)), most(az, bz));
       const float from = most(entry - kEntryError * size(entry), 0.0F);
       const float to = exit + kEntryError * size(exit);
       // Any number will do that is not too large: the place on the ray is exact.
@@ -111,7 +104,7 @@ struct PrepareLanes
   /// Writes the searches that are kept, and the rays that are for others. `first`: the ray in lane
   /// 0.
   __attribute__((always_inline)) void write(
-    const TriangleTree& tree, const TreeRays& rays, std::uint32_t first, PreparedQueries& all)
+    const TreeRays& rays, std::uint32_t first, FrontSearches& all)
   {
     const unsigned lanes = rays.count - first < kSize ? rays.count - first : kSize;
     std::int32_t behindAxis[kSize];
@@ -123,7 +116,7 @@ struct PrepareLanes
         lane < lanes ? rays.skipped(first + lane, TriangleBlock::kNone) : TriangleBlock::kNone;
       if (skipped[lane] != TriangleBlock::kNone)
       {
-        behindAxis[lane] = setBehind(lane, tree.planes().of(skipped[lane]));
+        behindAxis[lane] = setBehind(lane, all.tree.planes().of(skipped[lane]));
       }
     }
     for (unsigned group = 0; group < lanes; group += 4)
@@ -180,19 +173,6 @@ private:
       floatsOf(rows[3]) + to };
     transpose4<float>(from, into);
   }
-
-  struct Slab
-  {
-    float entry, exit;
-
-    __attribute__((always_inline)) Slab(double toLower, double toUpper, float inverse)
-    {
-      const float lower = static_cast<float>(toLower) * inverse;
-      const float upper = static_cast<float>(toUpper) * inverse;
-      entry = least(lower, upper);
-      exit = most(lower, upper);
-    }
-  };
 
   template <class Number>
   __attribute__((always_inline)) static Number most(Number a, Number b)

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #ifdef __x86_64__
 
-#include "Kernels/ConfirmLanes.h"
 #include "Kernels/FrontStages.h"
-#include "Kernels/IntersectionLanes.h"
 #include "Kernels/QueryCounts.h"
-#include "Kernels/TreeQuery.h"
-#include "Simd/Prefetch.h"
 #include "Simd/SimdTarget.h"
-#include "Trees/KdTree.h"
+#include "Trees/KdTreeBuilder.h"
 
 #include <algorithm>
 #include <cstring>
@@ -18,7 +14,6 @@ IRRADIANCE_TARGET_BEGIN(IRRADIANCE_AVX512)
 
 #include "Kernels/Avx2Lanes.inl"
 #include "Kernels/FrontStages.inl"
-#include "Kernels/WideQuery.inl"
 
 namespace irradiance
 {
@@ -54,36 +49,9 @@ struct Avx512Boxes
 
 }
 
-std::uint32_t pickFrontAvx512(
-  const TreeRays& rays, const EllipsoidFilter& filter, std::uint32_t* picked)
+const FrontStages& frontStagesAvx512()
 {
-  return pickRays(rays, filter, picked);
-}
-
-std::uint32_t findNearAvx512(const TreeRays& rays, const BodyBalls& balls, NearRays* found)
-{
-  return findNearRays<Avx512Boxes>(rays, balls, found);
-}
-
-void prepareFrontAvx512(const TriangleTree& tree, const TreeRays& rays, PreparedQueries& queries)
-{
-  prepareRays(tree, rays, queries);
-}
-
-void searchFrontAvx512(FrontSearches& searches)
-{
-  runSearches<Avx512Boxes, Avx2Lanes>(searches);
-}
-
-void confirmFrontAvx512(
-  const TreeRays& rays, const std::uint32_t* candidate, const CornerRows& corners)
-{
-  confirmRays(rays, candidate, corners);
-}
-
-void intersectAllAvx512(IntersectionLanes& lanes)
-{
-  lanes.intersect();
+  return kStages<Avx512Boxes, Avx2Lanes>;
 }
 
 }

@@ -22,7 +22,7 @@ struct QueryCounts
 };
 
 /// Where the searches of this thread are counted; null, the initial value, if they are not. Only
-/// tests and benchmarks are built so that they can be: the kernels exist twice then.
+/// tests are built so that they can be: the kernels exist twice then.
 #ifdef VTKIRRADIANCE_COUNT_QUERIES
 inline QueryCounts*& queryCounts()
 {

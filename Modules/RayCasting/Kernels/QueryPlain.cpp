@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Kernels/ConfirmLanes.h"
 #include "Kernels/FrontStages.h"
 #include "Kernels/QueryCounts.h"
-#include "Kernels/TreeQuery.h"
-#include "Simd/Prefetch.h"
-#include "Trees/KdTree.h"
+#include "Trees/KdTreeBuilder.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
 
 #include "Kernels/FrontStages.inl"
-#include "Kernels/WideQuery.inl"
 
 namespace irradiance
 {
@@ -72,31 +68,9 @@ struct PlainLanes
 
 }
 
-std::uint32_t pickFrontPlain(
-  const TreeRays& rays, const EllipsoidFilter& filter, std::uint32_t* picked)
+const FrontStages& frontStagesPlain()
 {
-  return pickRays(rays, filter, picked);
-}
-
-std::uint32_t findNearPlain(const TreeRays& rays, const BodyBalls& balls, NearRays* found)
-{
-  return findNearRays<PlainLanes>(rays, balls, found);
-}
-
-void prepareFrontPlain(const TriangleTree& tree, const TreeRays& rays, PreparedQueries& queries)
-{
-  prepareRays(tree, rays, queries);
-}
-
-void searchFrontPlain(FrontSearches& searches)
-{
-  runSearches<PlainLanes, PlainLanes>(searches);
-}
-
-void confirmFrontPlain(
-  const TreeRays& rays, const std::uint32_t* candidate, const CornerRows& corners)
-{
-  confirmRays(rays, candidate, corners);
+  return kStages<PlainLanes, PlainLanes>;
 }
 
 }

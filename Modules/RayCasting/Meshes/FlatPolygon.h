@@ -2,8 +2,9 @@
 #ifndef irradiance_FlatPolygon_h
 #define irradiance_FlatPolygon_h
 
-#include "Geometry/Vector.h"
+#include "Geometry/Triangle.h"
 
+#include <optional>
 #include <vector>
 
 namespace irradiance
@@ -36,6 +37,15 @@ std::vector<Vector2> seenFromFront(const std::vector<Vector3>& corners, const Ve
 
 /// True if the polygon turns left at every corner, by more than 2^-20 rad, and goes around once.
 bool isConvex(const std::vector<Vector2>& corners);
+
+/// A fan from the first corner.
+std::vector<Triangle> cutFan(const std::vector<Vector3>& corners);
+
+/// For a convex polygon. Cuts off every other corner, repeatedly: few triangles are slender.
+std::vector<Triangle> cutConvex(const std::vector<Vector3>& corners);
+
+/// For four corners. Cuts along diagonal 0-2, or 1-3 if only that lies inside; nothing if neither.
+std::optional<std::vector<Triangle>> cutQuad(const std::vector<Vector3>& corners);
 
 }
 

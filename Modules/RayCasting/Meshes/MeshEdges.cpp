@@ -6,6 +6,7 @@
 #include <numeric>
 #include <tuple>
 #include <unordered_map>
+#include <utility>
 
 namespace irradiance
 {
@@ -13,22 +14,15 @@ namespace irradiance
 namespace
 {
 
-struct Corner
-{
-  std::array<double, 3> position;
-  std::uint32_t part;
-  bool operator==(const Corner& other) const
-  {
-    return position == other.position && part == other.part;
-  }
-};
+/// Its position, and its part.
+using Corner = std::pair<std::array<double, 3>, std::uint32_t>;
 
 struct HashOfCorner
 {
   std::size_t operator()(const Corner& corner) const
   {
-    std::size_t hash = corner.part;
-    for (const double x : corner.position)
+    std::size_t hash = corner.second;
+    for (const double x : corner.first)
     {
       hash = (hash ^ std::hash<double>()(x)) * 0x9e3779b97f4a7c15u;
       hash ^= hash >> 29;

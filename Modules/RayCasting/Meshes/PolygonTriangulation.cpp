@@ -2,7 +2,6 @@
 #include "Meshes/PolygonTriangulation.h"
 
 #include "Meshes/FlatPolygon.h"
-#include "Meshes/PolygonCuts.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_plus_2.h>

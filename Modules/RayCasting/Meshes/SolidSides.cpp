@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Meshes/SolidSides.h"
 
-#include "Geometry/Pi.h"
 #include "Meshes/MeshEdges.h"
-#include "Meshes/RoomShells.h"
 #include "Meshes/ShellNesting.h"
 
 #include <algorithm>
@@ -76,15 +74,18 @@ private:
 class ShellSearch
 {
 public:
-  ShellSearch(const std::vector<Triangle>& triangles, const std::vector<std::uint32_t>& partOf,
-    const std::vector<bool>& isLamp, const CancelPoint& cancelPoint)
-    : triangles_(triangles)
+  /// Sets the shells, and the shell of each triangle.
+  ShellSearch(SolidSides& sides, const std::vector<Triangle>& triangles,
+    const std::vector<std::uint32_t>& partOf, const std::vector<bool>& isLamp,
+    const CancelPoint& cancelPoint)
+    : sides_(sides)
+    , triangles_(triangles)
     , partOf_(partOf)
     , isLamp_(isLamp)
     , pace_(cancelPoint)
-    , shellOf_(triangles.size(), kNone)
     , isTurned_(triangles.size(), 0)
   {
+    sides.shellOf.assign(triangles.size(), kNoShell);
     std::vector<std::uint32_t> all(triangles.size());
     std::iota(all.begin(), all.end(), 0u);
     find(all, true, false);
@@ -93,15 +94,10 @@ public:
     find(open(false), true, true);
   }
 
-  std::vector<Shell> takeShells() { return std::move(shells_); }
-  /// For each triangle, its shell.
-  std::vector<std::uint32_t> takeShellOf() { return std::move(shellOf_); }
   /// True if the triangle has its front inside.
   bool isTurned(std::size_t triangle) const { return isTurned_[triangle] != 0; }
 
 private:
-  static constexpr std::uint32_t kNone = 0xffffffffu;
-
   using Edges = std::vector<MeshEdge>;
 
   /// The triangles that are in no closed shell yet.
@@ -110,7 +106,7 @@ private:
     std::vector<std::uint32_t> open;
     for (std::uint32_t i = 0; i < triangles_.size(); ++i)
     {
-      if (shellOf_[i] == kNone && !(withoutLamps && isLamp_[i]))
+      if (sides_.shellOf[i] == kNoShell && !(withoutLamps && isLamp_[i]))
       {
         open.push_back(i);
       }
@@ -218,10 +214,10 @@ private:
     {
       Shell shell;
       Vector3 origin;
-      double volume =
-        0; // six times the enclosed one; negative if the first triangle has its front inside
+      /// Six times the enclosed one; negative if the first triangle has its front inside.
+      double volume = 0;
       double given = 0; // the same with the triangles oriented as given
-      std::uint32_t number = kNone;
+      std::uint32_t number = kNoShell;
     };
     std::unordered_map<std::uint32_t, Found> found;
     bool isTurned;
@@ -257,22 +253,21 @@ private:
       {
         continue;
       }
-      if (shell.number == kNone)
+      if (shell.number == kNoShell)
       {
-        shell.number = static_cast<std::uint32_t>(shells_.size());
-        shells_.push_back(shell.shell);
+        shell.number = static_cast<std::uint32_t>(sides_.shells.size());
+        sides_.shells.push_back(shell.shell);
       }
-      shellOf_[chosen[i]] = shell.number;
+      sides_.shellOf[chosen[i]] = shell.number;
       isTurned_[chosen[i]] = isTurned != (shell.volume < 0) ? 1 : 0;
     }
   }
 
+  SolidSides& sides_;
   const std::vector<Triangle>& triangles_;
   const std::vector<std::uint32_t>& partOf_;
   const std::vector<bool>& isLamp_;
   ThrottledCancelPoint pace_;
-  std::vector<Shell> shells_;
-  std::vector<std::uint32_t> shellOf_;
   std::vector<char> isTurned_;
 };
 
@@ -282,10 +277,8 @@ SolidSides solidSides(const std::vector<Triangle>& triangles,
   const std::vector<std::uint32_t>& partOf, const std::vector<bool>& isLamp, bool mayHoldRooms,
   const CancelPoint& cancelPoint)
 {
-  ShellSearch search(triangles, partOf, isLamp, cancelPoint);
   SolidSides sides;
-  sides.shells = search.takeShells();
-  sides.shellOf = search.takeShellOf();
+  const ShellSearch search(sides, triangles, partOf, isLamp, cancelPoint);
   Box all;
   for (const Shell& shell : sides.shells)
   {

@@ -11,6 +11,9 @@ namespace irradiance
 /// be infinite. A sphere cuts a disc out of the triangle's plane.
 double areaInSphere(const Triangle& triangle, double radius);
 
+/// The point of a triangle that is closest to the origin.
+Vector3 closestPoint(const Triangle& triangle);
+
 }
 
 #endif

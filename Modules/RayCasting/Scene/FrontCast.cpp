@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/FrontCast.h"
 
-#include "Kernels/IntersectionLanes.h"
-#include "Progress/StageTimes.h"
-
 #include <algorithm>
 
 namespace irradiance
@@ -12,18 +9,9 @@ namespace irradiance
 namespace
 {
 
-TreeRays inWorld(const FrontRays& rays, std::uint32_t triangles)
+Ray rayOf(const TreeRays& rays, std::uint32_t ray)
 {
-  return { rays.count, { rays.origin[0], rays.origin[1], rays.origin[2] },
-    { rays.direction[0], rays.direction[1], rays.direction[2] },
-    { rays.exactDirection[0], rays.exactDirection[1], rays.exactDirection[2] }, rays.start, 0,
-    triangles, rays.distance, rays.hit, { rays.weight[0], rays.weight[1] } };
-}
-
-Ray rayOf(const FrontRays& rays, std::uint32_t ray)
-{
-  const TreeRays world = inWorld(rays, 0);
-  return { originOf(world, ray), directionOf(world, ray), {} };
+  return { originOf(rays, ray), directionOf(rays, ray), {} };
 }
 
 CornerRows rowsOf(const TriangleMesh& mesh)
@@ -73,17 +61,14 @@ void FrontCast::castSome(const Scene& scene, const Ray* rays, std::uint32_t coun
     own_.weight[0][i] = own_.weight[1][i] = 0;
   }
   const TreeRays own = own_.columns(count, 0, 0);
-  cast(scene, { numbers, scene.static_->mesh() },
-    { count, { own.origin[0], own.origin[1], own.origin[2] }, { nullptr, nullptr, nullptr },
-      own.start, own.distance, own.hit, { own.weight[0], own.weight[1] },
-      { own.exactDirection[0], own.exactDirection[1], own.exactDirection[2] } });
+  cast(scene, { numbers, scene.static_->mesh() }, own);
   for (std::uint32_t i = 0; i < count; ++i)
   {
     hits[i] = { own.distance[i], numbers.idOf(own.hit[i]), { own.weight[0][i], own.weight[1][i] } };
   }
 }
 
-void FrontCast::cast(const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays)
+void FrontCast::cast(const Scene& scene, const FrontTriangles& triangles, const TreeRays& rays)
 {
   if (scene.mode_ == TraversalMode::OneTree && !scene.placed_.empty())
   {
@@ -104,19 +89,18 @@ void FrontCast::cast(const Scene& scene, const FrontTriangles& triangles, const 
 }
 
 void FrontCast::castDynamic(
-  const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays)
+  const Scene& scene, const FrontTriangles& triangles, const TreeRays& rays)
 {
   castGroup(scene, scene.dynamic_, triangles, rays);
 }
 
-void FrontCast::castMoved(
-  const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays)
+void FrontCast::castMoved(const Scene& scene, const FrontTriangles& triangles, const TreeRays& rays)
 {
   castGroup(scene, scene.moved_, triangles, rays);
 }
 
 void FrontCast::castGroup(const Scene& scene, const Scene::Group& group,
-  const FrontTriangles& triangles, const FrontRays& rays)
+  const FrontTriangles& triangles, const TreeRays& rays)
 {
   if (group.flattened)
   {
@@ -133,29 +117,30 @@ void FrontCast::castGroup(const Scene& scene, const Scene::Group& group,
 }
 
 void FrontCast::castStatic(
-  const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays)
+  const Scene& scene, const FrontTriangles& triangles, const TreeRays& rays)
 {
   const auto count = static_cast<std::uint32_t>(scene.static_->mesh().size());
   if (count > 0)
   {
+    TreeRays world = rays;
+    world.triangles = count;
     scene.static_->forEachTree([&](const TriangleTree& tree) {
-      search_.run(tree, scene.static_->mesh(), inWorld(rays, count), triangles.corners);
+      search_.run(tree, scene.static_->mesh(), world, triangles.corners);
     });
   }
 }
 
 void FrontCast::castMixed(const Scene& scene, const Scene::MixedTree& mixed,
-  const FrontTriangles& triangles, const FrontRays& rays)
+  const FrontTriangles& triangles, const TreeRays& rays)
 {
-  StageClock clock;
   start_.need(TreeRays::roomFor(rays.count));
   for (std::uint32_t ray = 0; ray < rays.count; ++ray)
   {
     start_[ray] = mixed.referenceTo(triangles.numbers.idOf(rays.start[ray]));
   }
-  TreeRays world = inWorld(rays, static_cast<std::uint32_t>(mixed.ids.size()));
+  TreeRays world = rays;
+  world.triangles = static_cast<std::uint32_t>(mixed.ids.size());
   world.start = start_.data();
-  clock.ends(Stage::PreTest);
   tests_.clear();
   for (const auto& [ray, reference] : pairs_.find(mixed.tree, world))
   {
@@ -166,75 +151,48 @@ void FrontCast::castMixed(const Scene& scene, const Scene::MixedTree& mixed,
 }
 
 void FrontCast::castBody(
-  const Scene& scene, std::uint32_t index, const FrontTriangles& triangles, const FrontRays& rays)
+  const Scene& scene, std::uint32_t index, const FrontTriangles& triangles, const TreeRays& rays)
 {
-  StageClock clock;
   local_.need(TreeRays::roomFor(rays.count));
   const std::uint32_t count =
-    pickFront(inWorld(rays, 0), scene.placed_[index].filter, local_.ray.data());
-  clock.ends(Stage::PreTest);
+    frontStages().pick(rays, scene.placed_[index].filter, local_.ray.data());
   castPicked(scene, index, triangles, rays, count);
 }
 
 void FrontCast::castBodies(const Scene& scene, const Scene::Group& group,
-  const FrontTriangles& triangles, const FrontRays& rays)
+  const FrontTriangles& triangles, const TreeRays& rays)
 {
   const auto bodies = static_cast<std::uint32_t>(group.instanced.size());
-  const std::vector<FrontPairs::Pair>& pairs = group.balls.isEmpty()
-    ? pairs_.find(group.bodies, inWorld(rays, 0))
-    : pairs_.find(group.balls, inWorld(rays, 0));
-  StageClock clock;
+  const std::vector<FrontPairs::Pair>& pairs =
+    group.balls.isEmpty() ? pairs_.find(group.bodies, rays) : pairs_.find(group.balls, rays);
   raysOfBodies_.set(pairs, rays.count, bodies);
   local_.need(TreeRays::roomFor(rays.count));
   for (std::uint32_t body = 0; body < bodies; ++body)
   {
     const std::uint32_t index = group.instanced[body];
     std::uint32_t count = 0;
-    raysOfBodies_.forEach(
-      body, [&](std::uint32_t ray) { count = pick(scene, index, rays, ray, count); });
-    clock.ends(Stage::PreTest);
+    raysOfBodies_.forEach(body, [&](std::uint32_t ray) {
+      local_.ray[count] = ray;
+      count += scene.mayTouch(scene.placed_[index], rayOf(rays, ray), rays.distance[ray]) ? 1 : 0;
+    });
     castPicked(scene, index, triangles, rays, count);
-    clock = {};
   }
-}
-
-/// Adds the ray to `local_.ray`, which holds so many, if it may touch the body; returns how many it
-/// holds.
-std::uint32_t FrontCast::pick(const Scene& scene, std::uint32_t index, const FrontRays& rays,
-  std::uint32_t ray, std::uint32_t count)
-{
-  local_.ray[count] = ray;
-  return count +
-    (scene.mayTouch(scene.placed_[index], rayOf(rays, ray), rays.distance[ray]) ? 1 : 0);
 }
 
 /// Casts the rays in `local_.ray`, so many, to a body.
 void FrontCast::castPicked(const Scene& scene, std::uint32_t index, const FrontTriangles& triangles,
-  const FrontRays& rays, std::uint32_t count)
+  const TreeRays& rays, std::uint32_t count)
 {
   if (count == 0)
   {
     return;
   }
-  StageClock clock;
   const std::uint32_t object = index + 1;
-  takeToBody(scene, object, rays, count);
-  clock.ends(Stage::PreTest);
-  const TriangleMesh& mesh = scene.meshOf(object);
-  search_.run(scene.bodyOf(object).tree(), mesh,
-    local_.columns(count, triangles.numbers.first(object), static_cast<std::uint32_t>(mesh.size())),
-    rowsOf(mesh));
-  giveBack(rays, count);
-}
-
-/// By the same operations as everywhere, so that hits have the same bits.
-void FrontCast::takeToBody(
-  const Scene& scene, std::uint32_t object, const FrontRays& rays, std::uint32_t count)
-{
   for (std::uint32_t i = 0; i < count; ++i)
   {
     const std::uint32_t ray = local_.ray[i];
-    const Scene::LocalRay local = scene.localRay(rayOf(rays, ray), object);
+    // By the same operations as everywhere, so that hits have the same bits.
+    const Ray local = scene.localRay(rayOf(rays, ray), object);
     for (int axis = 0; axis < 3; ++axis)
     {
       local_.origin[axis][i] = local.origin[axis];
@@ -244,10 +202,11 @@ void FrontCast::takeToBody(
     local_.distance[i] = rays.distance[ray];
     local_.hit[i] = rays.hit[ray];
   }
-}
-
-void FrontCast::giveBack(const FrontRays& rays, std::uint32_t count)
-{
+  clock.ends(Stage::PreTest);
+  const TriangleMesh& mesh = scene.meshOf(object);
+  search_.run(scene.bodyOf(object).tree(), mesh,
+    local_.columns(count, triangles.numbers.first(object), static_cast<std::uint32_t>(mesh.size())),
+    rowsOf(mesh));
   for (std::uint32_t i = 0; i < count; ++i)
   {
     const std::uint32_t ray = local_.ray[i];
@@ -262,9 +221,8 @@ void FrontCast::giveBack(const FrontRays& rays, std::uint32_t count)
 }
 
 void FrontCast::findDistances(
-  const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays)
+  const Scene& scene, const FrontTriangles& triangles, const TreeRays& rays)
 {
-  StageClock clock;
   const auto statics = static_cast<std::uint32_t>(scene.static_->mesh().size());
   const std::uint32_t room = TreeRays::roomFor(rays.count);
   candidate_.need(room);
@@ -283,9 +241,8 @@ void FrontCast::findDistances(
   }
   if (statics > 0)
   {
-    confirmFront(inWorld(rays, statics), candidate_.data(), triangles.corners);
+    frontStages().confirm(rays, candidate_.data(), triangles.corners);
   }
-  clock.ends(Stage::Confirm);
   runTests(scene, triangles, rays);
 }
 
@@ -298,30 +255,15 @@ void FrontCast::addTest(
 }
 
 /// Tests what was added, and keeps the closer hits.
-void FrontCast::runTests(const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays)
+void FrontCast::runTests(const Scene& scene, const FrontTriangles& triangles, const TreeRays& rays)
 {
-  StageClock clock;
-  const TreeRays columns = inWorld(rays, 0);
-  IntersectionLanes lanes;
-  for (std::size_t first = 0; first < tests_.size(); first += IntersectionLanes::kSize)
-  {
-    const std::size_t some = std::min<std::size_t>(tests_.size() - first, IntersectionLanes::kSize);
-    for (unsigned lane = 0; lane < some; ++lane)
-    {
-      const auto& [ray, number] = tests_[first + lane];
-      const TriangleId id = triangles.numbers.idOf(number);
-      const Scene::LocalRay local = scene.localRay(rayOf(rays, ray), id.object);
-      lanes.set(lane, local.origin, local.direction, scene.localTriangle(id));
-    }
-    intersectAll(lanes);
-    for (unsigned lane = 0; lane < some; ++lane)
-    {
-      const auto& [ray, number] = tests_[first + lane];
-      columns.keepCloser(
-        ray, number, lanes.distance[lane], lanes.weightB[lane], lanes.weightC[lane]);
-    }
-  }
-  clock.ends(Stage::Confirm);
+  confirmEach(rays, tests_.size(), [&](std::size_t i, IntersectionLanes& lanes, unsigned lane) {
+    const auto& [ray, number] = tests_[i];
+    const TriangleId id = triangles.numbers.idOf(number);
+    const Ray local = scene.localRay(rayOf(rays, ray), id.object);
+    lanes.set(lane, local.origin, local.direction, scene.localTriangle(id));
+    return tests_[i];
+  });
 }
 
 void FrontCast::RaysOfBodies::set(
@@ -365,8 +307,8 @@ TreeRays FrontCast::LocalRays::columns(
 {
   return { count, { origin[0].data(), origin[1].data(), origin[2].data() },
     { nullptr, nullptr, nullptr },
-    { direction[0].data(), direction[1].data(), direction[2].data() }, start.data(), first,
-    triangles, distance.data(), hit.data(), { weight[0].data(), weight[1].data() } };
+    { direction[0].data(), direction[1].data(), direction[2].data() }, start.data(),
+    distance.data(), hit.data(), { weight[0].data(), weight[1].data() }, first, triangles };
 }
 
 }

@@ -2,29 +2,12 @@
 #ifndef irradiance_FrontCast_h
 #define irradiance_FrontCast_h
 
-#include "Scene/FrontPairs.h"
-#include "Scene/FrontSearch.h"
+#include "Scene/FrontDescent.h"
 #include "Scene/Scene.h"
 #include "Scene/SurfaceRecords.h"
 
 namespace irradiance
 {
-
-/// Rays in world space as columns, with room for TreeRays::roomFor(count) each. What stands beyond
-/// `count` has no meaning and may be changed.
-struct FrontRays
-{
-  std::uint32_t count;
-  const double* origin[3];
-  const float* direction[3];  ///< of length 1, up to rounding; null if there are exact ones
-  const std::uint32_t* start; ///< the number of the triangle that each leaves, or kNone
-  /// In: the best hit so far, or infinite and kNone. Out: that or a closer one, by (distance,
-  /// number).
-  double* distance;
-  std::uint32_t* hit;
-  float* weight[2];                     ///< of the second and third corner
-  const double* exactDirection[3] = {}; ///< of any length
-};
 
 /// How a cast knows the triangles of a scene.
 struct FrontTriangles
@@ -53,35 +36,31 @@ class FrontCast
 public:
   /// The closest hits of rays among all triangles, from none on.
   void cast(const Scene& scene, const Ray* rays, std::size_t count, Hit* hits);
-  void cast(const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays);
+  /// Rays in world space, of no tree: `first` and `triangles` are 0.
+  void cast(const Scene& scene, const FrontTriangles& triangles, const TreeRays& rays);
   /// The dynamic objects alone.
-  void castDynamic(const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays);
+  void castDynamic(const Scene& scene, const FrontTriangles& triangles, const TreeRays& rays);
   /// Those marked as moved, see Scene::commit().
-  void castMoved(const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays);
+  void castMoved(const Scene& scene, const FrontTriangles& triangles, const TreeRays& rays);
   /// Sets distances and weights to those at which rays hit the triangles in `rays.hit`. The
   /// distance is infinite if a ray misses its triangle, or has none.
-  void findDistances(const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays);
+  void findDistances(const Scene& scene, const FrontTriangles& triangles, const TreeRays& rays);
 
 private:
   void castSome(const Scene& scene, const Ray* rays, std::uint32_t count, Hit* hits);
-  void castStatic(const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays);
+  void castStatic(const Scene& scene, const FrontTriangles& triangles, const TreeRays& rays);
   void castGroup(const Scene& scene, const Scene::Group& group, const FrontTriangles& triangles,
-    const FrontRays& rays);
+    const TreeRays& rays);
   void castMixed(const Scene& scene, const Scene::MixedTree& mixed, const FrontTriangles& triangles,
-    const FrontRays& rays);
-  void castBody(const Scene& scene, std::uint32_t index, const FrontTriangles& triangles,
-    const FrontRays& rays);
+    const TreeRays& rays);
+  void castBody(
+    const Scene& scene, std::uint32_t index, const FrontTriangles& triangles, const TreeRays& rays);
   void castBodies(const Scene& scene, const Scene::Group& group, const FrontTriangles& triangles,
-    const FrontRays& rays);
-  std::uint32_t pick(const Scene& scene, std::uint32_t index, const FrontRays& rays,
-    std::uint32_t ray, std::uint32_t count);
+    const TreeRays& rays);
   void castPicked(const Scene& scene, std::uint32_t index, const FrontTriangles& triangles,
-    const FrontRays& rays, std::uint32_t count);
-  void takeToBody(
-    const Scene& scene, std::uint32_t object, const FrontRays& rays, std::uint32_t count);
-  void giveBack(const FrontRays& rays, std::uint32_t count);
+    const TreeRays& rays, std::uint32_t count);
   void addTest(const Scene& scene, std::uint32_t ray, std::uint32_t number, const TriangleId& id);
-  void runTests(const Scene& scene, const FrontTriangles& triangles, const FrontRays& rays);
+  void runTests(const Scene& scene, const FrontTriangles& triangles, const TreeRays& rays);
 
   /// Rays with exact directions: those that may touch a body, in its space.
   struct LocalRays
@@ -121,17 +100,11 @@ private:
     std::vector<std::uint32_t> last_; ///< by ray, the body of the last visit
   };
 
-  /// A triangle to be tested in its own space.
-  struct Test
-  {
-    std::uint32_t ray, number;
-  };
-
   FrontSearch search_;
   FrontPairs pairs_;
   LocalRays local_, own_; ///< own: rays that come in no columns
   RaysOfBodies raysOfBodies_;
-  std::vector<Test> tests_;
+  std::vector<FrontPairs::Pair> tests_; ///< rays, and numbers of triangles
   Column<std::uint32_t> candidate_, start_;
 };
 

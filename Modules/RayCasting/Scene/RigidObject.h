@@ -7,6 +7,7 @@
 #include "Trees/DetailTrees.h"
 
 #include <algorithm>
+#include <memory>
 
 namespace irradiance
 {
@@ -37,6 +38,29 @@ private:
   TriangleTree tree_;
   std::vector<TriangleTree> detailTrees_; ///< see there; none if the body may move
   EnclosingEllipsoid ellipsoid_;
+};
+
+/// A body and its pose in one frame.
+struct PlacedBody
+{
+  std::shared_ptr<const RigidObject> body;
+  AffineMap worldFromObject;
+  /// If true, its triangles stand one by one in a tree that every Scene::commit() rebuilds.
+  /// Otherwise the body is searched in its own tree, behind its ellipsoid.
+  bool isFlattened = false;
+  /// Whether it is part of this frame. If not, it is treated as if it had no triangles.
+  bool isPresent = true;
+
+  /// The triangles that are there in this frame.
+  const TriangleMesh& mesh() const
+  {
+    static const TriangleMesh none;
+    return isPresent ? body->mesh() : none;
+  }
+  bool isEmpty() const { return mesh().isEmpty(); }
+  /// Whether the pose turns the fronts of its triangles over.
+  bool isMirrored() const { return worldFromObject.linear.determinant() < 0; }
+  Box worldBounds() const { return isEmpty() ? Box() : movedBox(worldFromObject, mesh().bounds()); }
 };
 
 }

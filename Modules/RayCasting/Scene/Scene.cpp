@@ -210,18 +210,12 @@ Scene::Group Scene::group(const std::vector<bool>& chosen, const CancelPoint& ca
   return group;
 }
 
-bool Scene::intersects(
-  const Ray& ray, const TriangleId& id, double& distance, Vector3* weights) const
-{
-  const LocalRay local = localRay(ray, id.object);
-  return ShearedRay(local.origin, local.direction).intersects(localTriangle(id), distance, weights);
-}
-
 Hit Scene::hitOf(const Ray& ray, const TriangleId& id) const
 {
+  const Ray local = localRay(ray, id.object);
   double distance;
   Vector3 weights;
-  return intersects(ray, id, distance, &weights)
+  return ShearedRay(local.origin, local.direction).intersects(localTriangle(id), distance, &weights)
     ? Hit{ distance, id, { static_cast<float>(weights[1]), static_cast<float>(weights[2]) } }
     : Hit{};
 }

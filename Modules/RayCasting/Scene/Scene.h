@@ -6,9 +6,8 @@
 #include "Geometry/Ray.h"
 #include "Geometry/TriangleIntersection.h"
 #include "Kernels/BodyBalls.h"
-#include "Kernels/EllipsoidLanes.h"
 #include "Meshes/SurfacePoint.h"
-#include "Scene/PlacedBody.h"
+#include "Scene/RigidObject.h"
 #include "Scene/TriangleNumbers.h"
 
 #include <memory>
@@ -143,26 +142,20 @@ private:
     return object == 0 ? *static_ : *placed_[object - 1].object.body;
   }
   /// A ray in the space of an object.
-  struct LocalRay
-  {
-    Vector3 origin, direction;
-  };
-  LocalRay localRay(const Ray& ray, std::uint32_t object) const
+  Ray localRay(const Ray& ray, std::uint32_t object) const
   {
     if (object == 0)
     {
-      return { ray.origin, ray.direction };
+      return ray;
     }
     const Placed& placed = placed_[object - 1];
     return { placed.inverse * (ray.origin - placed.object.worldFromObject.translation),
-      placed.inverse * ray.direction };
+      placed.inverse * ray.direction, ray.start };
   }
   const Triangle& localTriangle(const TriangleId& id) const
   {
     return bodyOf(id.object).mesh()[id.triangle];
   }
-  /// By the test in double; false if the ray misses the triangle.
-  bool intersects(const Ray& ray, const TriangleId& id, double& distance, Vector3* weights) const;
   /// No geometry is farther from the ray's origin than this, in units of its direction.
   double reachOf(const Ray& ray) const;
   /// False if the ray certainly misses the object up to a hit at `distance`, which may be infinite.

@@ -2,9 +2,9 @@
 #ifndef irradiance_SurfaceRecords_h
 #define irradiance_SurfaceRecords_h
 
-#include "Meshes/SurfaceRecord.h"
+#include "Meshes/SurfacePoint.h"
 #include "Progress/CancelPoint.h"
-#include "Scene/PlacedBody.h"
+#include "Scene/RigidObject.h"
 #include "Scene/TriangleNumbers.h"
 #include "Simd/LargePages.h"
 

@@ -4,7 +4,9 @@
 
 #include "Geometry/Ray.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <stdexcept>
 #include <vector>
 
 namespace irradiance
@@ -22,7 +24,19 @@ public:
 
   TriangleNumbers() = default;
   /// By object, its triangles. Throws std::length_error if there are more than numbers.
-  explicit TriangleNumbers(const std::vector<std::size_t>& sizes);
+  explicit TriangleNumbers(const std::vector<std::size_t>& sizes)
+  {
+    firsts_.reserve(sizes.size() + 1);
+    for (const std::size_t size : sizes)
+    {
+      if (size >= kNone - firsts_.back())
+      {
+        throw std::length_error("the scene has more triangles than there are numbers of 32 bits");
+      }
+      firsts_.push_back(firsts_.back() + static_cast<std::uint32_t>(size));
+    }
+    endOfStatic_ = sizes.empty() ? 0 : firsts_[1];
+  }
 
   /// Of all objects.
   std::uint32_t size() const { return firsts_.back(); }
@@ -53,7 +67,15 @@ public:
   friend bool operator!=(const TriangleNumbers& a, const TriangleNumbers& b) { return !(a == b); }
 
 private:
-  std::uint32_t dynamicObjectOf(std::uint32_t number) const;
+  std::uint32_t dynamicObjectOf(std::uint32_t number) const
+  {
+    if (number == kNone)
+    {
+      return kNone;
+    }
+    const auto after = std::upper_bound(firsts_.begin(), firsts_.end(), number);
+    return static_cast<std::uint32_t>(after - firsts_.begin()) - 1;
+  }
 
   std::vector<std::uint32_t> firsts_ = { 0 }; ///< by object, and the number of all
   std::uint32_t endOfStatic_ = 0;

@@ -50,7 +50,7 @@ public:
     {
       room_ = 0;
       memory_.reset(); // first, so that there are never two
-      take(memoryFor(count), count);
+      take(count);
     }
   }
   /// Makes room, and keeps the values there are.
@@ -61,7 +61,7 @@ public:
       const Value* const before = values_;
       const std::size_t kept = room_;
       const Memory old = std::move(memory_);
-      take(memoryFor(count), count);
+      take(count);
       if (kept > 0)
       {
         std::memcpy(values_, before, kept * sizeof(Value));
@@ -85,17 +85,13 @@ private:
   };
   using Memory = std::unique_ptr<std::byte, Free>;
 
-  static Memory memoryFor(std::size_t count)
-  {
-    const std::size_t bytes = kPage + (count + kRoomBehind) * sizeof(Value);
-    return Memory(static_cast<std::byte*>(::operator new (bytes, std::align_val_t{ kLine })));
-  }
-  void take(Memory memory, std::size_t count)
+  void take(std::size_t count)
   {
     constexpr std::size_t kLinesApart = 5;
     static thread_local std::size_t shift = 0;
+    const std::size_t bytes = kPage + (count + kRoomBehind) * sizeof(Value);
+    memory_.reset(static_cast<std::byte*>(::operator new (bytes, std::align_val_t{ kLine })));
     shift = (shift + kLinesApart * kLine) % kPage;
-    memory_ = std::move(memory);
     values_ = reinterpret_cast<Value*>(memory_.get() + shift);
     room_ = count;
   }

@@ -7,26 +7,12 @@
 namespace irradiance
 {
 
-/// Four numbers in a vector of the compiler.
-template <class Number>
-struct FourOf;
-template <>
-struct FourOf<float>
-{
-  using Type = float __attribute__((vector_size(16)));
-};
-template <>
-struct FourOf<double>
-{
-  using Type = double __attribute__((vector_size(32)));
-};
-
 /// Turns four rows of four numbers into four columns. Is compiled once for each instruction set.
 template <class Number>
 __attribute__((always_inline)) inline void transpose4(
   const Number* const (&rows)[4], Number* const (&columns)[4])
 {
-  using Four = typename FourOf<Number>::Type;
+  typedef Number Four __attribute__((vector_size(4 * sizeof(Number))));
   Four a, b, c, d;
   std::memcpy(&a, rows[0], sizeof(Four));
   std::memcpy(&b, rows[1], sizeof(Four));

@@ -140,14 +140,20 @@ std::vector<std::vector<std::uint32_t>> detailsOf(
 std::vector<TriangleTree> detailTreesOf(const TriangleMesh& mesh, const CancelPoint& cancelPoint)
 {
   const std::vector<std::vector<std::uint32_t>> details = detailsOf(mesh, cancelPoint);
-  std::vector<bool> isDetail(details.empty() ? 0 : mesh.size(), false);
+  if (details.empty())
+  {
+    return {};
+  }
+  std::vector<bool> isDetail(mesh.size(), false);
   for (const std::vector<std::uint32_t>& detail : details)
   {
-    std::for_each(
-      detail.begin(), detail.end(), [&](std::uint32_t number) { isDetail[number] = true; });
+    for (const std::uint32_t number : detail)
+    {
+      isDetail[number] = true;
+    }
   }
   std::vector<std::uint32_t> others;
-  for (std::uint32_t i = 0; i < isDetail.size(); ++i)
+  for (std::uint32_t i = 0; i < mesh.size(); ++i)
   {
     if (!isDetail[i])
     {
@@ -155,10 +161,7 @@ std::vector<TriangleTree> detailTreesOf(const TriangleMesh& mesh, const CancelPo
     }
   }
   std::vector<TriangleTree> trees;
-  if (!details.empty())
-  {
-    trees.push_back(treeOfSome(mesh, others, cancelPoint));
-  }
+  trees.push_back(treeOfSome(mesh, others, cancelPoint));
   for (const std::vector<std::uint32_t>& detail : details)
   {
     trees.push_back(treeOfSome(mesh, detail, cancelPoint));

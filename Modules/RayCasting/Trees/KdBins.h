@@ -2,12 +2,13 @@
 #ifndef irradiance_KdBins_h
 #define irradiance_KdBins_h
 
-#include "Trees/KdItem.h"
+#include "Trees/KdBounds.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace irradiance
 {
@@ -61,6 +62,74 @@ private:
   float last_ = 0, lower_ = 0, scale_ = 0;
   double width_ = 0;
   std::array<std::uint32_t, kMost + 1> begins_, ends_;
+};
+
+/// Where items begin, end, or lie flat on one axis, in ascending order. All places are finite.
+class KdEvents
+{
+public:
+  /// All events at one place.
+  struct Step
+  {
+    float x;
+    std::uint32_t ending, lying, beginning;
+  };
+
+  void clear()
+  {
+    for (std::vector<float>& places : places_)
+    {
+      places.clear();
+    }
+  }
+  /// Adds the requested events of an item. A flat item has only one event.
+  void add(float lower, float upper, bool takesLower, bool takesUpper)
+  {
+    if (takesLower)
+    {
+      places_[lower == upper ? kFlat : kBegin].push_back(lower);
+    }
+    if (takesUpper && lower != upper)
+    {
+      places_[kEnd].push_back(upper);
+    }
+  }
+  void sort()
+  {
+    for (std::size_t kind = 0; kind < places_.size(); ++kind)
+    {
+      std::sort(places_[kind].begin(), places_[kind].end());
+      places_[kind].push_back(HUGE_VALF);
+      next_[kind] = places_[kind].data();
+    }
+  }
+  /// After sort(): goes to the next place; false if there is none.
+  bool next(Step& step)
+  {
+    step.x = std::min({ *next_[kBegin], *next_[kEnd], *next_[kFlat] });
+    if (step.x == HUGE_VALF)
+    {
+      return false;
+    }
+    const auto pass = [&](std::size_t kind) {
+      const float* const first = next_[kind];
+      while (*next_[kind] == step.x)
+      {
+        ++next_[kind];
+      }
+      return static_cast<std::uint32_t>(next_[kind] - first);
+    };
+    step.ending = pass(kEnd);
+    step.lying = pass(kFlat);
+    step.beginning = pass(kBegin);
+    return true;
+  }
+
+private:
+  static constexpr std::size_t kBegin = 0, kEnd = 1, kFlat = 2;
+
+  std::array<std::vector<float>, 3> places_; ///< by kind
+  std::array<const float*, 3> next_{};
 };
 
 }

@@ -5,6 +5,7 @@
 #include "Geometry/Vector.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 
 namespace irradiance
@@ -68,6 +69,51 @@ struct KdBounds
     return x * y + y * z + z * x;
   }
 };
+
+/// The bounds of the part of a primitive that lies in a cell.
+struct alignas(16) KdItem : KdBounds
+{
+  std::uint32_t primitive;
+
+  static KdItem of(std::uint32_t primitive, const Box& bounds)
+  {
+    return { KdBounds(bounds), primitive };
+  }
+  /// The bounds rounded to the nearest floats.
+  static KdItem nearest(std::uint32_t primitive, const Box& bounds)
+  {
+    KdItem item;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      item.lower[axis] = static_cast<float>(bounds.lower[axis]);
+      item.upper[axis] = static_cast<float>(bounds.upper[axis]);
+    }
+    item.primitive = primitive;
+    return item;
+  }
+};
+
+/// The items of a node, contiguous in memory.
+struct KdItems
+{
+  const KdItem* first;
+  const KdItem* last;
+
+  const KdItem* begin() const { return first; }
+  const KdItem* end() const { return last; }
+  std::uint32_t size() const { return static_cast<std::uint32_t>(last - first); }
+};
+
+/// The bounds of all items together.
+inline KdBounds hullOf(const KdItems& items)
+{
+  KdBounds hull;
+  for (const KdItem& item : items)
+  {
+    hull.add(item);
+  }
+  return hull;
+}
 
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trees/KdSplitSearch.h"
 
-#include "Trees/CoplanarFaces.h"
-
 #include <algorithm>
 
 namespace irradiance
@@ -44,14 +42,84 @@ double leastAtEdges(const KdBins& bins, const KdAxisCost& cost)
   return least;
 }
 
+/// The items that lie flat in the faces of the hull of all items: the walls of a room, the sides of
+/// a box. Face 2 i is the lower one on axis i, face 2 i + 1 the upper one.
+class CoplanarFaces
+{
+public:
+  static constexpr int kFaces = 6;
+
+  CoplanarFaces(const KdItems& items, ThrottledCancelPoint& pace)
+    : hull_(hullOf(items))
+  {
+    for (const KdItem& item : items)
+    {
+      pace.step();
+      int first = kFaces;
+      for (int face = kFaces; face-- > 0;)
+      {
+        if (item.lower[face / 2] == item.upper[face / 2] && item.lower[face / 2] == place(face))
+        {
+          ++counts_[face];
+          first = face;
+        }
+      }
+      parts_[first].bounds.add(item);
+      ++parts_[first].count;
+    }
+  }
+
+  /// False if there are none, or if one of them is all.
+  bool areAny() const
+  {
+    return std::count_if(
+             parts_.begin(), parts_.end(), [](const Part& part) { return part.count > 0; }) > 1;
+  }
+  /// The number of items in a face, 0 if each of them is in a face before this one. An item in an
+  /// edge of the hull is in two faces.
+  std::uint32_t count(int face) const { return parts_[face].count > 0 ? counts_[face] : 0; }
+  /// Of the face on its axis.
+  float place(int face) const
+  {
+    return face % 2 == 0 ? hull_.lower[face / 2] : hull_.upper[face / 2];
+  }
+  /// The expected cost of a ray that enters the cell if a plane cuts off each sheet.
+  double costOfCuttingAll(const KdTreeBuilder& config, const Box& cell) const
+  {
+    const Vector3 extent = cell.extent();
+    const double area = extent[0] * extent[1] + extent[1] * extent[2] + extent[2] * extent[0];
+    const auto costOf = [&](const Part& part) {
+      return part.count == 0 ? 0 : part.bounds.halfArea() / area * config.leafCost(part.count);
+    };
+    double sum = costOf(parts_[kFaces]);
+    for (int face = 0; face < kFaces; ++face)
+    {
+      sum += parts_[face].count > 0 ? config.traversalCost + costOf(parts_[face]) : 0;
+    }
+    return sum;
+  }
+
+private:
+  struct Part
+  {
+    KdBounds bounds;
+    std::uint32_t count = 0;
+  };
+
+  KdBounds hull_;
+  std::array<std::uint32_t, kFaces> counts_ = {};
+  /// The sheets, each item in its first one, and last what is in none.
+  std::array<Part, kFaces + 1> parts_;
+};
+
 }
 
 KdSplit KdSplitSearch::best(const KdItems& items, const Box& cell)
 {
-  KdSplit best{ cost_.leaf(items.size()) };
-  const AxisCosts costs = { KdAxisCost(cost_, cell, 0, items.size()),
-    KdAxisCost(cost_, cell, 1, items.size()), KdAxisCost(cost_, cell, 2, items.size()) };
-  if (items.size() <= cost_.blockSize)
+  KdSplit best{ config_.leafCost(items.size()) };
+  const AxisCosts costs = { KdAxisCost(config_, cell, 0, items.size()),
+    KdAxisCost(config_, cell, 1, items.size()), KdAxisCost(config_, cell, 2, items.size()) };
+  if (items.size() <= static_cast<std::uint32_t>(config_.blockSize))
   {
     cutOffEmptySpace(items, costs, best);
     return best;
@@ -93,7 +161,7 @@ void KdSplitSearch::cutOffSheets(
   {
     return;
   }
-  const double cost = sheets.costOfCuttingAll(cost_, cell);
+  const double cost = sheets.costOfCuttingAll(config_, cell);
   for (int face = 0; face < CoplanarFaces::kFaces; ++face)
   {
     const std::uint32_t count = sheets.count(face), others = items.size() - count;

@@ -28,9 +28,7 @@ public:
   Build(const KdTreeBuilder& config, const std::vector<KdPrimitive>& primitives)
     : config_(config)
     , primitives_(primitives)
-    , search_({ config.traversalCost, config.intersectionCost, config.emptyFactor,
-                config.partingCost, static_cast<std::uint32_t>(config.blockSize) },
-        config.cancelPoint)
+    , search_(config)
     , pace_(config.cancelPoint)
   {
     assert(config.blockSize > 0);

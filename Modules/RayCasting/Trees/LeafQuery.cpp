@@ -89,20 +89,13 @@ namespace
 
 /// Calls visit(leaf, triangle) for all that leaves list.
 template <class Visit>
-void forEachListed(const TriangleTree& tree, const Visit& visit)
+void forEachInLeaves(const TriangleTree& tree, const Visit& visit)
 {
-  std::uint32_t leaf = 0;
-  for (std::uint32_t i = 0; i < tree.numberOfBlocks(); ++i)
+  const TriangleBlock* block = tree.blocks();
+  while (block != tree.blocks() + tree.numberOfBlocks())
   {
-    const TriangleBlock& block = tree.blocks()[i];
-    for (unsigned lane = 0; lane < TriangleBlock::kSize; ++lane)
-    {
-      if (block.reference(lane) != TriangleBlock::kNone)
-      {
-        visit(leaf, block.reference(lane));
-      }
-    }
-    leaf = block.isLast() ? i + 1 : leaf;
+    const auto leaf = static_cast<std::uint32_t>(block - tree.blocks());
+    block = forEachListed(block, [&](std::uint32_t triangle) { visit(leaf, triangle); });
   }
 }
 
@@ -124,14 +117,14 @@ LeafTable::LeafTable(const TriangleTree& tree)
   : boxes_(tree.numberOfBlocks())
 {
   addBoxes(tree, tree.root());
-  forEachListed(tree, [&](std::uint32_t, std::uint32_t triangle) {
+  forEachInLeaves(tree, [&](std::uint32_t, std::uint32_t triangle) {
     begin_.resize(std::max<std::size_t>(begin_.size(), triangle + std::size_t{ 2 }));
     ++begin_[triangle + std::size_t{ 1 }];
   });
   std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
   std::vector<std::uint32_t> next = begin_;
   leaves_.resize(begin_.empty() ? 0 : begin_.back());
-  forEachListed(
+  forEachInLeaves(
     tree, [&](std::uint32_t leaf, std::uint32_t triangle) { leaves_[next[triangle]++] = leaf; });
 }
 
@@ -151,12 +144,7 @@ void LeafTable::addBoxes(const TriangleTree& tree, std::uint32_t node)
     }
     else if (link != Treelet::kEmpty)
     {
-      KdBounds& box = boxes_[link & ~Treelet::kLeaf];
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        box.lower[axis] = treelet.bounds[0][axis][child];
-        box.upper[axis] = treelet.bounds[1][axis][child];
-      }
+      boxes_[link & ~Treelet::kLeaf] = treelet.box(child);
     }
   }
 }
@@ -185,6 +173,37 @@ std::size_t LeafTable::bytes() const
 {
   return boxes_.capacity() * sizeof(KdBounds) +
     (begin_.capacity() + leaves_.capacity()) * sizeof(std::uint32_t);
+}
+
+std::array<bool, Treelet::kSize> childrenNear(const Treelet& treelet, const Box& unit)
+{
+  std::array<bool, Treelet::kSize> isNear;
+  isNear.fill(true);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (unsigned child = 0; child < Treelet::kSize; ++child)
+    {
+      isNear[child] &= (treelet.bounds[0][axis][child] <= unit.upper[axis]) &
+        (treelet.bounds[1][axis][child] >= unit.lower[axis]);
+    }
+  }
+  return isNear;
+}
+
+Box unitBounds(const TriangleTree& tree, const Box& box)
+{
+  Box unit{ tree.frame()(box.lower), tree.frame()(box.upper) };
+  unit.inflate(0x1p-20); // the boxes of the tree are floats
+  return unit;
+}
+
+std::vector<std::uint32_t> trianglesNear(const TriangleTree& tree, const Box& box)
+{
+  std::vector<std::uint32_t> found;
+  forEachNear(tree, box, [&](std::uint32_t triangle) { found.push_back(triangle); });
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
 }
 
 }

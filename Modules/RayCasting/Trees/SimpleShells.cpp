@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trees/SimpleShells.h"
 
-#include "Trees/BoxQuery.h"
+#include "Trees/LeafQuery.h"
 
 #include <algorithm>
 #include <array>
@@ -15,22 +15,15 @@ namespace
 template <std::size_t N>
 using Points = std::array<Vector3, N>;
 
-/// The corners of a triangle, those first that it shares with another one.
-struct SortedCorners
+/// Moves those corners to the front that are shared with another triangle; returns how many.
+std::size_t sortShared(Points<3>& corners, const Triangle& other)
 {
-  Points<3> corners;
-  std::size_t shared = 0; ///< so many
-
-  SortedCorners(const Triangle& triangle, const Triangle& other)
-    : corners{ triangle.a, triangle.b, triangle.c }
-  {
-    const auto isShared = [&](const Vector3& corner) {
-      return corner == other.a || corner == other.b || corner == other.c;
-    };
-    shared = static_cast<std::size_t>(
-      std::stable_partition(corners.begin(), corners.end(), isShared) - corners.begin());
-  }
-};
+  const auto isShared = [&](const Vector3& corner) {
+    return corner == other.a || corner == other.b || corner == other.c;
+  };
+  return static_cast<std::size_t>(
+    std::stable_partition(corners.begin(), corners.end(), isShared) - corners.begin());
+}
 
 /// A triangle has three edges, a segment one.
 template <std::size_t N>
@@ -104,16 +97,17 @@ bool mayTouch(const Triangle& first, const Triangle& second, double tolerance)
   {
     return false;
   }
-  const SortedCorners s(first, second), t(second, first);
-  switch (s.shared)
+  Points<3> s{ first.a, first.b, first.c }, t{ second.a, second.b, second.c };
+  sortShared(t, first);
+  switch (sortShared(s, second))
   {
     case 0:
-      return !areParted(s.corners, t.corners, tolerance);
+      return !areParted(s, t, tolerance);
     case 1:
-      return !areParted(Points<2>{ s.corners[1], s.corners[2] }, t.corners, tolerance) ||
-        !areParted(Points<2>{ t.corners[1], t.corners[2] }, s.corners, tolerance);
+      return !areParted(Points<2>{ s[1], s[2] }, t, tolerance) ||
+        !areParted(Points<2>{ t[1], t[2] }, s, tolerance);
     case 2:
-      return areFolded(s.corners, t.corners);
+      return areFolded(s, t);
     default:
       return true;
   }
@@ -130,64 +124,6 @@ bool isAlongAxes(const Triangle& t)
     isAlong(t.a - t.c);
 }
 
-class TouchSearch
-{
-public:
-  TouchSearch(SolidSides& sides, const std::vector<Triangle>& triangles, const TriangleTree& tree,
-    const CancelPoint& cancelPoint)
-    : sides_(sides)
-    , triangles_(triangles)
-    , tree_(tree)
-    , pace_(cancelPoint)
-  {
-  }
-
-  /// Where surfaces cross, some of their triangles are in one leaf; unless they cross just where
-  /// cells of the tree meet, hence along axes.
-  void findAll()
-  {
-    std::vector<std::uint32_t> listed;
-    for (std::uint32_t leaf = 0; leaf < tree_.numberOfBlocks();)
-    {
-      listed.clear();
-      forEachListed(tree_, leaf, [&](std::uint32_t triangle) {
-        find(triangle, listed);
-        listed.push_back(triangle);
-      });
-      while (!tree_.blocks()[leaf++].isLast())
-      {
-      }
-    }
-    for (std::uint32_t i = 0; i < triangles_.size(); ++i)
-    {
-      if (sides_.shell(i).isSimple && isAlongAxes(triangles_[i]))
-      {
-        find(i, trianglesNear(tree_, triangles_[i].bounds()));
-      }
-    }
-  }
-
-private:
-  void find(std::uint32_t triangle, const std::vector<std::uint32_t>& others)
-  {
-    constexpr std::size_t kMany = 512;
-    Shell& shell = sides_.shells[sides_.shellOf[triangle]];
-    const double tolerance = 0x1p-44 * shell.bounds.magnitude();
-    shell.isSimple = shell.isSimple && others.size() <= kMany;
-    for (auto other = others.begin(); other != others.end() && shell.isSimple; ++other)
-    {
-      pace_.step();
-      shell.isSimple = *other == triangle || sides_.shellOf[*other] != sides_.shellOf[triangle] ||
-        !mayTouch(triangles_[triangle], triangles_[*other], tolerance);
-    }
-  }
-
-  SolidSides& sides_;
-  const std::vector<Triangle>& triangles_;
-  const TriangleTree& tree_;
-  ThrottledCancelPoint pace_;
-};
-
 }
 
 void markSimpleShells(SolidSides& sides, const std::vector<Triangle>& triangles,
@@ -197,7 +133,38 @@ void markSimpleShells(SolidSides& sides, const std::vector<Triangle>& triangles,
   {
     shell.isSimple = shell.isClosed;
   }
-  TouchSearch(sides, triangles, tree, cancelPoint).findAll();
+  ThrottledCancelPoint pace(cancelPoint);
+  const auto look = [&](std::uint32_t triangle, const std::vector<std::uint32_t>& others) {
+    constexpr std::size_t kMany = 512;
+    Shell& shell = sides.shells[sides.shellOf[triangle]];
+    const double tolerance = 0x1p-44 * shell.bounds.magnitude();
+    shell.isSimple = shell.isSimple && others.size() <= kMany;
+    for (auto other = others.begin(); other != others.end() && shell.isSimple; ++other)
+    {
+      pace.step();
+      shell.isSimple = *other == triangle || sides.shellOf[*other] != sides.shellOf[triangle] ||
+        !mayTouch(triangles[triangle], triangles[*other], tolerance);
+    }
+  };
+  // Where surfaces cross, some of their triangles are in one leaf; unless they cross just where
+  // cells of the tree meet, hence along axes.
+  std::vector<std::uint32_t> listed;
+  const TriangleBlock* leaf = tree.blocks();
+  while (leaf != tree.blocks() + tree.numberOfBlocks())
+  {
+    listed.clear();
+    leaf = forEachListed(leaf, [&](std::uint32_t triangle) {
+      look(triangle, listed);
+      listed.push_back(triangle);
+    });
+  }
+  for (std::uint32_t i = 0; i < triangles.size(); ++i)
+  {
+    if (sides.shell(i).isSimple && isAlongAxes(triangles[i]))
+    {
+      look(i, trianglesNear(tree, triangles[i].bounds()));
+    }
+  }
 }
 
 }

@@ -3,8 +3,8 @@
 #define irradiance_TreeletPlan_h
 
 #include "Progress/CancelPoint.h"
-#include "Trees/KdTree.h"
-#include "Trees/Treelet.h"
+#include "Trees/KdTreeBuilder.h"
+#include "Trees/TriangleTree.h"
 
 #include <array>
 #include <cstdint>

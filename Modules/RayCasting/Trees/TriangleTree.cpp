@@ -62,7 +62,7 @@ public:
     {
       if (treelet.children[lane] != Treelet::kEmpty)
       {
-        KdBounds below = boxOf(treelet, lane);
+        KdBounds below = treelet.box(lane);
         widen(treelet.children[lane], below);
         setBox(treelet, lane, below);
         box.add(below);
@@ -137,27 +137,11 @@ private:
     return treelet;
   }
 
-  /// Calls `visit` with the exact bounds of each triangle of a leaf.
-  template <class Visit>
-  void visitBounds(const TriangleBlock* block, const Visit& visit) const
-  {
-    for (bool hasMore = true; hasMore; ++block)
-    {
-      hasMore = !block->isLast();
-      for (unsigned lane = 0; lane < TriangleBlock::kSize; ++lane)
-      {
-        if (block->reference(lane) != TriangleBlock::kNone)
-        {
-          visit(triangles_[block->reference(lane)].bounds());
-        }
-      }
-    }
-  }
-
   void holdTriangles(const TriangleBlock* block, KdBounds& box) const
   {
     const KdBounds rounded = box;
-    visitBounds(block, [&](const Box& whole) {
+    forEachListed(block, [&](std::uint32_t reference) {
+      const Box whole = triangles_[reference].bounds();
       for (int axis = 0; axis < 3; ++axis)
       {
         if (static_cast<float>(whole.lower[axis]) == rounded.lower[axis])
@@ -176,7 +160,8 @@ private:
   void separate(const TriangleBlock* block, KdBounds& box) const
   {
     KdBounds wider = box;
-    visitBounds(block, [&](const Box& whole) {
+    forEachListed(block, [&](std::uint32_t reference) {
+      const Box whole = triangles_[reference].bounds();
       for (int axis = 0; axis < 3; ++axis)
       {
         if (target_.planes_.hide(axis, -1, box.lower[axis], whole))
@@ -190,17 +175,6 @@ private:
       }
     });
     box = wider;
-  }
-
-  static KdBounds boxOf(const Treelet& treelet, unsigned place)
-  {
-    KdBounds box;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      box.lower[axis] = treelet.bounds[0][axis][place];
-      box.upper[axis] = treelet.bounds[1][axis][place];
-    }
-    return box;
   }
 
   static void setBox(Treelet& treelet, unsigned place, const KdBounds& bounds)

@@ -7,8 +7,9 @@
 #include "Progress/CancelPoint.h"
 #include "Simd/LargePages.h"
 #include "Trees/AxisPlanes.h"
-#include "Trees/Treelet.h"
+#include "Trees/KdBounds.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -17,6 +18,35 @@ namespace irradiance
 
 struct KdPrimitive;
 struct KdTreeBuilder;
+
+/**
+ * A piece of a kd-tree: up to 15 of its planes, which separate up to 16 children. For each child it
+ * keeps the box that its triangles fill. One SIMD step finds which of the 16 a ray visits.
+ */
+struct alignas(64) Treelet
+{
+  static constexpr unsigned kSize = 16;
+  static constexpr std::uint32_t kLeaf = 0x80000000u;  ///< set with the number of the first block
+  static constexpr std::uint32_t kEmpty = 0xffffffffu; ///< no child
+  static constexpr float kFar = 1e30F; ///< bounds of unused boxes: they end before they begin
+
+  float bounds[2][3][kSize];                 ///< lower and upper ones
+  std::array<std::uint32_t, kSize> children; ///< a treelet, a leaf, or kEmpty
+  /// For each octant of directions (bit i: component i is negative) the children from far to near.
+  /// There is such an order because the cells of a kd-tree do not overlap.
+  alignas(16) std::uint8_t farToNear[8][kSize];
+
+  KdBounds box(unsigned child) const
+  {
+    KdBounds box;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      box.lower[axis] = bounds[0][axis][child];
+      box.upper[axis] = bounds[1][axis][child];
+    }
+    return box;
+  }
+};
 
 /// Eight triangles of a leaf, as floats in the unit frame, for a test that only rejects.
 struct alignas(64) TriangleBlock
@@ -33,6 +63,25 @@ struct alignas(64) TriangleBlock
   std::uint32_t reference(unsigned lane) const { return references[lane] & ~kMore; }
   bool isLast() const { return (references[kSize - 1] & kMore) == 0; }
 };
+
+/// Calls visit(triangle) for all that a leaf lists, given its first block; returns what follows its
+/// last one.
+template <class Visit>
+const TriangleBlock* forEachListed(const TriangleBlock* block, const Visit& visit)
+{
+  for (bool isLast = false; !isLast; ++block)
+  {
+    isLast = block->isLast();
+    for (unsigned lane = 0; lane < TriangleBlock::kSize; ++lane)
+    {
+      if (block->reference(lane) != TriangleBlock::kNone)
+      {
+        visit(block->reference(lane));
+      }
+    }
+  }
+  return block;
+}
 
 /**
  * A kd-tree over triangles as SIMD searches it. It is in float and only says which triangles may be

@@ -4,9 +4,7 @@
 
 #include "IrradianceEngine.h"
 
-#include <cmath>
-#include <stdexcept>
-#include <string>
+#include <vector>
 
 /// A value for each cell of a scene, object after object.
 using CellField = Eigen::ArrayXd;
@@ -36,7 +34,7 @@ inline CellField areasOf(const irradiance::SceneObjects& objects)
 inline CellField irradianceOf(
   const irradiance::IrradianceEngine& engine, const irradiance::SceneObjects& objects)
 {
-  return fieldOf(objects, [&](std::uint32_t object, std::size_t cell, double area) {
+  return fieldOf(objects, [&](std::uint32_t object, std::size_t cell, double) {
     return engine.irradiance({ object, cell }, 0);
   });
 }
@@ -46,37 +44,5 @@ inline double meanOf(const CellField& field, const CellField& areas)
 {
   return (field * areas).sum() / areas.sum();
 }
-
-/// A scene, and what is right in it.
-struct Truth
-{
-  Truth(const irradiance::SceneObjects& ownObjects, const CellField& right)
-    : objects(ownObjects)
-    , areas(areasOf(ownObjects))
-    , irradiance(right)
-  {
-  }
-
-  /// The root of the mean square difference over the area, in units of the mean irradiance.
-  double rmsError(const CellField& field) const
-  {
-    return std::sqrt(meanOf((field - irradiance).square(), areas)) / meanOf(irradiance, areas);
-  }
-  double rmsError(const irradiance::IrradianceEngine& engine) const
-  {
-    return rmsError(irradianceOf(engine, objects));
-  }
-  /// Throws std::runtime_error unless the field has the same bits.
-  void require(const CellField& field, const std::string& what) const
-  {
-    if ((field != irradiance).any())
-    {
-      throw std::runtime_error(what + " and a fresh start differ");
-    }
-  }
-
-  irradiance::SceneObjects objects;
-  CellField areas, irradiance;
-};
 
 #endif

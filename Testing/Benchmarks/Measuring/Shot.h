@@ -39,4 +39,33 @@ inline Shot shoot(const PlainTracer& tracer, const irradiance::SceneObjects& obj
           }) };
 }
 
+inline irradiance::EngineSettings withSeed(irradiance::EngineSettings settings, std::uint64_t seed)
+{
+  settings.seed = seed;
+  return settings;
+}
+
+inline Shot shootNew(
+  const irradiance::SceneObjects& objects, const irradiance::EngineSettings& settings)
+{
+  irradiance::IrradianceEngine engine;
+  return shoot(engine, objects, settings);
+}
+
+/// The mean of what was added.
+class Mean
+{
+public:
+  void add(double value)
+  {
+    sum_ += value;
+    ++count_;
+  }
+  double value() const { return sum_ / count_; }
+
+private:
+  double sum_ = 0;
+  int count_ = 0;
+};
+
 #endif

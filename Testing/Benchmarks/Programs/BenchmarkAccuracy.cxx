@@ -15,6 +15,7 @@
 #include "Scenes/TradeScene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 using namespace irradiance;
@@ -26,6 +27,30 @@ constexpr int kLevels = 2;
 constexpr std::uint64_t kReferenceSeed = 1000;
 constexpr std::uint32_t kReplicates = 16;
 constexpr std::uint32_t kUsualWalks = 1u << 18;
+
+/// A scene, and what is right in it.
+struct Truth
+{
+  Truth(const SceneObjects& ownObjects, const CellField& right)
+    : objects(ownObjects)
+    , areas(areasOf(ownObjects))
+    , irradiance(right)
+  {
+  }
+
+  /// The root of the mean square difference over the area, in units of the mean irradiance.
+  double rmsError(const CellField& field) const
+  {
+    return std::sqrt(meanOf((field - irradiance).square(), areas)) / meanOf(irradiance, areas);
+  }
+  double rmsError(const IrradianceEngine& engine) const
+  {
+    return rmsError(irradianceOf(engine, objects));
+  }
+
+  SceneObjects objects;
+  CellField areas, irradiance;
+};
 
 EngineSettings settingsWith(std::uint32_t walks, std::uint64_t seed)
 {
@@ -75,20 +100,8 @@ double secondsOf(IrradianceEngine& engine, const Truth& scene, const EngineSetti
   return timeUpdate(engine, scene.objects, settings).whole;
 }
 
-/// Of the straight line through (log x, log y), by least squares.
-double slopeOf(const std::vector<double>& x, const std::vector<double>& y)
-{
-  const auto logarithms = [](const std::vector<double>& values) -> Eigen::ArrayXd {
-    return Eigen::Map<const Eigen::ArrayXd>(values.data(), static_cast<Eigen::Index>(values.size()))
-      .log();
-  };
-  const Eigen::ArrayXd u = logarithms(x) - logarithms(x).mean(), v = logarithms(y);
-  return (u * v).sum() / u.square().sum();
-}
-
 void measureConvergence(const std::string& name, const Truth& scene, std::uint64_t seed)
 {
-  std::vector<double> walks, seconds, errors;
   for (std::uint32_t number = 1u << 12; number <= 1u << 20; number *= 4)
   {
     IrradianceEngine engine;
@@ -98,12 +111,7 @@ void measureConvergence(const std::string& name, const Truth& scene, std::uint64
     report("Convergence", row, "time, s", time);
     report("Convergence", row, "RMS error", error);
     report("Convergence", row, "efficiency 1/(error² x time), 1/s", 1 / (error * error * time));
-    walks.push_back(number);
-    seconds.push_back(time);
-    errors.push_back(error);
   }
-  report("ConvergenceSlopes", name, "slope over walks", slopeOf(walks, errors));
-  report("ConvergenceSlopes", name, "slope over time", slopeOf(seconds, errors));
 }
 
 void measureCellSizes(const std::string& name, const std::vector<Truth>& levels, std::uint64_t seed)
@@ -121,24 +129,6 @@ void measureCellSizes(const std::string& name, const std::vector<Truth>& levels,
   }
 }
 
-/// Shares of the cells and of the area in which the stated interval holds the truth.
-void measureCoverage(const std::string& name, const Truth& scene, const IrradianceEngine& engine)
-{
-  const ErrorEstimate estimate = engine.errorEstimate();
-  const CellField errors =
-    fieldOf(scene.objects, [&](std::uint32_t object, std::size_t cell, double area) {
-      return engine.watts(estimate.standardError({ object, cell }, 0)) / area;
-    });
-  const CellField isKnown = (!errors.isNaN()).cast<double>();
-  const CellField holds = ((irradianceOf(engine, scene.objects) - scene.irradiance).abs() <=
-    ErrorEstimate::confidenceFactor(kReplicates) * errors)
-                            .cast<double>(); // never where the error is NaN
-  const double knownArea = (scene.areas * isKnown).sum();
-  report("Coverage", name, "area with an interval, %", 100 * knownArea / scene.areas.sum());
-  report("Coverage", name, "intervals that hold the truth, %", 100 * holds.sum() / isKnown.sum());
-  report("Coverage", name, "the same by area, %", 100 * (scene.areas * holds).sum() / knownArea);
-}
-
 void measureErrorBars(const std::string& name, const Truth& scene, std::uint64_t seed)
 {
   EngineSettings settings = settingsWith(kUsualWalks, seed);
@@ -153,7 +143,6 @@ void measureErrorBars(const std::string& name, const Truth& scene, std::uint64_t
   report("ErrorBars", name, "RMS error / without", scene.rmsError(barred) / scene.rmsError(plain));
   report("ErrorBars", name, "bytes a cell", bytesPerCell(barred));
   report("ErrorBars", name, "bytes a cell without", bytesPerCell(plain));
-  measureCoverage(name, scene, barred);
 }
 
 /// The least error that is not exceeded on a share of the area.

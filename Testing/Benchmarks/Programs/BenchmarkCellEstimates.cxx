@@ -15,10 +15,10 @@
  */
 #include "../../PhotonWalks/TestScenes.h"
 #include "../../PhotonWalks/ThreadExecution.h"
-#include "Measuring/CellField.h"
-#include "Measuring/EngineTiming.h"
+#include "Measuring/HalvedTruth.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
+#include "Measuring/Shot.h"
 #include "Rivals/PhotonMapField.h"
 #include "Scenes/PlainRoom.h"
 #include "Scenes/TradeScene.h"
@@ -98,23 +98,6 @@ std::vector<CellField> longRun(
   return means;
 }
 
-/// A part of a scene.
-struct Part
-{
-  std::string name;
-  CellField weights; ///< the areas of its cells, 0 for others
-};
-
-std::vector<Part> partsOf(const SceneObjects& objects)
-{
-  const auto part = [&](const std::string& name, bool isDynamic) {
-    return Part{ name, fieldOf(objects, [&](std::uint32_t object, std::size_t, double area) {
-                  return (object > 0) == isDynamic ? area : 0.0;
-                }) };
-  };
-  return { part("walls", false), part("movers", true) };
-}
-
 /// An estimate in a frame that changed a little.
 struct Frame
 {
@@ -159,36 +142,42 @@ void measureErrors(const std::string& name, const MovingScene& scene, std::uint3
   constexpr int kLevels = 3; // each with four times the walks
   const std::string table = "CellEstimates" + name;
   const SceneObjects objects = scene.at(kTime);
-  const std::vector<Part> parts = partsOf(objects);
+  const CellField areas = areasOf(objects);
+  const std::vector<CellSet> parts = cellSetsOf(objects);
   const std::vector<CellField> r = longRun(objects, mostWalks, 0.5 * walksOfTruth, kSeedsOfTruth),
                                s =
                                  longRun(objects, mostWalks, 0.5 * walksOfTruth, 2 * kSeedsOfTruth);
-  const auto percent = [&](const CellField& squares, const Part& part) {
-    return 100 * std::sqrt(std::max(0.0, meanOf(squares, part.weights))) /
-      meanOf(0.5 * (r[0] + s[0]), part.weights);
-  };
+  const HalvedTruth truth{ r[0], s[0] };
+  const auto percent = [](double square) { return 100 * std::sqrt(std::max(0.0, square)); };
   for (std::size_t i = 0; i < kEstimates.size(); ++i)
   {
     for (int level = 0; level < kLevels; ++level)
     {
       const std::uint32_t walks = mostWalks >> 2 * (kLevels - 1 - level);
       std::vector<double> seconds;
-      CellField squares = CellField::Zero(r[0].size());
+      std::vector<CellField> fields;
       for (std::uint64_t seed = 1; seed <= seeds; ++seed)
       {
         const Frame frame = frameBy(kEstimates[i], scene, walks, seed);
         seconds.push_back(frame.seconds);
-        squares += (frame.irradiance - r[0]) * (frame.irradiance - s[0]) / double(seeds);
+        fields.push_back(frame.irradiance);
       }
-      for (const Part& part : parts)
+      for (const CellSet& part : { parts[1], parts[2] })
       {
         const std::string row =
           kEstimates[i].name + ", " + part.name + ", " + std::to_string(walks);
+        Mean error;
+        for (const CellField& field : fields)
+        {
+          error.add(truth.squaredError(field, areas, part));
+        }
         report(table, row, "frame, s", seconds);
-        report(table, row, "RMS error, %", percent(squares, part));
+        report(table, row, "RMS error, %", percent(error.value()));
         if (level == kLevels - 1)
         {
-          report(table, row, "of it blur, %", percent((r[i] - r[0]) * (s[i] - s[0]), part));
+          const double mean = meanOf(part.of(0.5 * (r[0] + s[0])), part.of(areas));
+          const CellField blur = (r[i] - r[0]) * (s[i] - s[0]) / (mean * mean);
+          report(table, row, "of it blur, %", percent(meanOf(part.of(blur), part.of(areas))));
         }
       }
     }

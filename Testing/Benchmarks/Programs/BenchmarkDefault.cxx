@@ -15,20 +15,17 @@
  * and its time.
  *
  * Arguments: [walks = 400000] [rounds = 3] [scenes = all: from which] [to which]
- * [folder in which truths are kept] [ways = 6]
  */
 #include "Estimates/AutomaticChoice.h"
 #include "Measuring/HalvedTruth.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
-#include "Rivals/Contest.h"
-#include "Rivals/EmbreeScene.h"
+#include "Measuring/Shot.h"
 #include "Scenes/LightingScenes.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 
 using namespace irradiance;
 
@@ -95,44 +92,9 @@ HalvedTruth findTruth(const LightingScene& scene, std::uint32_t walks)
     areasOf(objects), { sets[1], sets[2] });
 }
 
-/// Of a scene by its name, if it was kept.
-HalvedTruth truthOf(const LightingScene& scene, std::uint32_t walks, const std::string& folder)
-{
-  if (folder.empty())
-  {
-    return findTruth(scene, walks);
-  }
-  const std::string path = folder + "/" + scene.name;
-  const auto cells = static_cast<Eigen::Index>(areasOf(scene.at(0)).size());
-  const auto bytes = static_cast<std::streamsize>(sizeof(double) * static_cast<std::size_t>(cells));
-  HalvedTruth truth{ CellField(cells), CellField(cells) };
-  std::ifstream file(path, std::ios::binary);
-  if (file.read(reinterpret_cast<char*>(truth.first.data()), bytes) &&
-    file.read(reinterpret_cast<char*>(truth.second.data()), bytes))
-  {
-    return truth;
-  }
-  truth = findTruth(scene, walks);
-  std::ofstream(path, std::ios::binary)
-    .write(reinterpret_cast<const char*>(truth.first.data()), bytes)
-    .write(reinterpret_cast<const char*>(truth.second.data()), bytes);
-  return truth;
-}
-
 /// What a way costs in a scene: seconds, and squared errors of walls and mover.
 struct Found
 {
-  enum Part
-  {
-    Walls,
-    Small
-  };
-  /// Of one part: seconds, median, times squared error.
-  double costOf(Part part, const std::vector<double>& seconds) const
-  {
-    return (part == Walls ? walls : small).value() * medianOf(seconds);
-  }
-
   std::vector<double> first, update;
   Mean walls, small, meanOfWalls, meanOfSmall;
 
@@ -145,17 +107,15 @@ struct Found
 class Contestants
 {
 public:
-  Contestants(
-    const LightingScene& scene, const HalvedTruth& truth, std::uint32_t walks, std::size_t ways)
+  Contestants(const LightingScene& scene, std::uint32_t walks)
     : scene_(scene)
-    , truth_(truth)
+    , truth_(findTruth(scene, walks))
     , areas_(areasOf(scene.at(0)))
     , sets_(cellSetsOf(scene.at(0)))
     , ways_(makeWays(walks))
     , plainScene_(makePlainScene(scene.inFrame(0)))
     , tracer_(plainScene_)
   {
-    ways_.resize(std::min(ways, ways_.size()), ways_.front());
     found_.resize(ways_.size());
     if (scene.truthIn)
     {
@@ -237,14 +197,17 @@ private:
   /// How much more efficient the default is.
   void reportBesidePlain() const
   {
-    for (const Found::Part part : { Found::Walls, Found::Small })
+    for (const auto& [name, error] :
+      { std::pair{ "walls", &Found::walls }, { "small cells", &Found::small } })
     {
-      const std::string name = part == Found::Walls ? "walls" : "small cells";
-      const double plain = plain_.costOf(part, plain_.first);
-      ::report(
-        kPlain, scene_.name, name + ", first", plain / found_[0].costOf(part, found_[0].first));
-      ::report(
-        kPlain, scene_.name, name + ", update", plain / found_[0].costOf(part, found_[0].update));
+      const Found& ours = found_[0];
+      const double plain = (plain_.*error).value() * medianOf(plain_.first);
+      const auto add = [&, error = error](
+                         const std::string& what, const std::vector<double>& seconds) {
+        ::report(kPlain, scene_.name, what, plain / ((ours.*error).value() * medianOf(seconds)));
+      };
+      add(std::string(name) + ", first", ours.first);
+      add(std::string(name) + ", update", ours.update);
     }
   }
 
@@ -316,7 +279,7 @@ private:
   }
 
   const LightingScene& scene_;
-  const HalvedTruth& truth_;
+  HalvedTruth truth_;
   CellField areas_;
   std::vector<CellSet> sets_;
   std::vector<Way> ways_;
@@ -376,8 +339,7 @@ void run(const Arguments& arguments)
   const std::size_t end = std::min(scenes.size(), arguments.number(3, scenes.size()));
   for (std::size_t i = arguments.number(2, std::size_t{ 0 }); i < end; ++i)
   {
-    const HalvedTruth truth = truthOf(scenes[i], walks, arguments.text(4, ""));
-    Contestants contestants(scenes[i], truth, walks, arguments.number(5, std::size_t{ 6 }));
+    Contestants contestants(scenes[i], walks);
     for (int round = 0; round < rounds; ++round)
     {
       contestants.addRound(static_cast<std::uint64_t>(round) + 1);

@@ -9,9 +9,7 @@
  * finding which backs are dark, which favours the rivals. The truth is what both rivals find
  * together, twice, and all must agree with it before any time counts. One thread, in turns. Where
  * small cells gather, with fewer walks, the sums that they read are means over cells: this bias is
- * allowed, and reported. The time of a frame is that of an update after the ring has moved by 2 cm,
- * or the ball, which has a sixth of its cells; its error is that of a first frame, as an update
- * equals a fresh start.
+ * allowed, and reported.
  *
  * Arguments: [walks = 1000000] [rounds = 6] [paths of a cell = 64] [those of half the truth = 1024]
  * [rooms = all]
@@ -19,14 +17,12 @@
 #include "Measuring/HalvedTruth.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
-#include "Rivals/Contest.h"
-#include "Rivals/EmbreeScene.h"
+#include "Measuring/Shot.h"
 #include "Rivals/PlainGatherer.h"
 #include "Scenes/PlainRoom.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 using namespace irradiance;
@@ -37,7 +33,6 @@ namespace
 const std::string kTable = "Gathering";
 const std::string kAnswers = "GatheringAnswers";
 const std::string kErrors = "GatheringErrors";
-const std::string kFrames = "GatheringFrames";
 
 struct Sizes
 {
@@ -56,9 +51,8 @@ struct Contestant
 {
   std::string name;
   std::function<Run(std::uint64_t seed)> run;
-  std::vector<Run> runs = {};                  ///< by round
-  std::optional<EngineSettings> settings = {}; ///< if it is ours
-  double bias = 1e-3;                          ///< that is allowed, of the mean irradiance
+  double bias = 1e-3;         ///< that is allowed, of the mean irradiance
+  std::vector<Run> runs = {}; ///< by round
 };
 
 /// A still room, and how all find its irradiance.
@@ -118,14 +112,6 @@ private:
   PlainGatherer gatherer_;
 };
 
-Contestant oursWith(const std::string& name, const Room& room, const EngineSettings& settings)
-{
-  Contestant ours{ "ours, " + name,
-    [&room, settings](std::uint64_t seed) { return room.shootOurs(withSeed(settings, seed)); } };
-  ours.settings = settings;
-  return ours;
-}
-
 /// The two rivals, then ours with each of its settings.
 std::vector<Contestant> makeContestants(const Room& room, const Sizes& sizes)
 {
@@ -135,22 +121,24 @@ std::vector<Contestant> makeContestants(const Room& room, const Sizes& sizes)
     { "plain tracer",
       [&room, settings](std::uint64_t seed) { return room.shootPlain(withSeed(settings, seed)); } },
     { "plain gatherer",
-      [&room, sizes](std::uint64_t seed) { return room.gatherPlain(sizes.paths, seed); } },
-    oursWith("shot", room, settings)
+      [&room, sizes](std::uint64_t seed) { return room.gatherPlain(sizes.paths, seed); } }
   };
+  const auto addOurs = [&](const std::string& name, double bias) {
+    const auto run = [&room, settings](
+                       std::uint64_t seed) { return room.shootOurs(withSeed(settings, seed)); };
+    contestants.push_back({ "ours, " + name, run, bias });
+  };
+  addOurs("shot", 1e-3);
   settings.gathersDirectLight = true;
-  contestants.push_back(oursWith("gathered", room, settings));
+  addOurs("gathered", 1e-3);
   settings.cellEstimate = CellEstimate::Gathered;
   for (const std::uint32_t part : { 5u, 10u })
   {
     settings.numberOfWalks = std::max(1u, sizes.walks / part);
-    contestants.push_back(
-      oursWith("1/" + std::to_string(part) + ", small cells too", room, settings));
-    contestants.back().bias = 0.03;
+    addOurs("1/" + std::to_string(part) + ", small cells too", 0.03);
   }
   settings.gathersEverywhere = true;
-  contestants.push_back(oursWith("1/10, all cells", room, settings));
-  contestants.back().bias = 0.03;
+  addOurs("1/10, all cells", 0.03);
   return contestants;
 }
 
@@ -215,52 +203,6 @@ void reportEfficiencies(const std::string& scene, const Room& room,
   }
 }
 
-/// Of those of ours that gather: the time of first frames and of later ones, and what of it 5 % of
-/// error on the movers takes.
-void reportFrames(const MovingScene& scene, const Room& room,
-  const std::vector<Contestant>& contestants, const HalvedTruth& truth)
-{
-  constexpr int kFramesEach = 4;
-  constexpr double kError = 0.05;
-  for (const Contestant& contestant : contestants)
-  {
-    Mean error;
-    for (const Run& run : contestant.runs)
-    {
-      error.add(truth.squaredError(run.irradiance, room.areas(), room.sets()[2]));
-    }
-    const double share = error.value() / (kError * kError);
-    const auto add = [&](const std::string& what, double seconds) {
-      report(kFrames, scene.name, contestant.name + ": " + what + ", s", seconds);
-      report(kFrames, scene.name, contestant.name + ": " + what + ", s to 5 % on movers",
-        share * seconds);
-    };
-    for (std::size_t round = 0; round < contestant.runs.size(); ++round)
-    {
-      add("first", contestant.runs[round].seconds[2]);
-      if (contestant.settings)
-      {
-        IrradianceEngine engine;
-        CpuTime execution;
-        engine.update(scene.inFrame(0), withSeed(*contestant.settings, round + 1), execution);
-        for (int frame = 1; frame <= kFramesEach; ++frame)
-        {
-          add("frame",
-            timeUpdate(engine, scene.inFrame(frame), withSeed(*contestant.settings, round + 1))
-              .whole);
-        }
-        SceneObjects objects = scene.inFrame(kFramesEach);
-        for (int frame = 1; frame <= kFramesEach; ++frame)
-        {
-          objects.dynamicObjects[1].worldFromObject.translation.z() += 0.02;
-          add("frame of the ball",
-            timeUpdate(engine, objects, withSeed(*contestant.settings, round + 1)).whole);
-        }
-      }
-    }
-  }
-}
-
 /// By both rivals, so that it favours neither.
 HalvedTruth findTruth(const Room& room, const Sizes& sizes)
 {
@@ -292,7 +234,6 @@ void compare(const MovingScene& scene, const Sizes& sizes)
   }
   compareAnswers(scene.name, room, contestants, truth);
   reportEfficiencies(scene.name, room, contestants, truth);
-  reportFrames(scene, room, contestants, truth);
 }
 
 }

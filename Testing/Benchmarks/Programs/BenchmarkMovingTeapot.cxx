@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * The main job on the scene of Examples/MovingTeapot: what a frame costs beside the first shooting,
- * which is what every frame would cost without a history, and what the cache is good for.
- * BenchmarkShooting compares with the rival that users would take. The answers are compared before
- * any time counts. CPU time of the one thread. 59 frames after the first are the teapot's whole
- * way.
+ * which is what every frame would cost without a history, what the cache is good for, and whether
+ * a repair keeps to its budget of time. BenchmarkShooting compares with the rival that users would
+ * take. The answers are compared before any time counts. CPU time of the one thread. 59 frames
+ * after the first are the teapot's whole way.
  *
  * Arguments: [walks = 1000000] [rounds = 5] [frames = 59] [head.off]
  */
-#include "../../PhotonWalks/EngineRun.h"
 #include "Measuring/EngineTiming.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
@@ -75,28 +74,6 @@ void timeRound(const MovingScene& scene, const EngineSettings& settings, int fra
   }
 }
 
-/// What an update is worth if small cells draw on their neighbours, with error bars.
-void timeSpread(const MovingScene& scene, EngineSettings settings, int frames)
-{
-  settings.cellEstimate = CellEstimate::Spread;
-  settings.replicates = 16;
-  const std::string which = ", spread with error bars";
-  IrradianceEngine engine;
-  timeUpdate(engine, scene.at(0), settings);
-  for (int frame = 1; frame <= frames; ++frame)
-  {
-    const SceneObjects objects = scene.inFrame(frame);
-    IrradianceEngine fresh;
-    const double shooting = timeUpdate(fresh, objects, settings).whole;
-    const double update = timeUpdate(engine, objects, settings).whole;
-    if (test::shownAnswer(engine) != test::shownAnswer(fresh))
-    {
-      throw std::runtime_error("Spread: the answers differ");
-    }
-    report(kTable, "re-shooting" + which, "fresh start / frame", shooting / update, { 4, 8 });
-  }
-}
-
 /// The teapot swings over the head and back with the same step in every frame, so that what it
 /// hides in one frame it sets free in another.
 void timeCache(const MovingScene& scene, EngineSettings settings, int frames)
@@ -126,6 +103,35 @@ void timeCache(const MovingScene& scene, EngineSettings settings, int frames)
   }
 }
 
+/// Each frame is repaired in full by one engine, and by another one with a part of that time as its
+/// budget, which then repairs the rest.
+void timeBudget(const MovingScene& scene, const EngineSettings& settings, int frames, int percent)
+{
+  const std::string table = "RepairBudget",
+                    row = "budget " + std::to_string(percent) + " % of the repair";
+  IrradianceEngine full, timed;
+  timeUpdate(full, scene.at(0), settings);
+  timeUpdate(timed, scene.at(0), settings);
+  double kept = 0;
+  for (int frame = 1; frame <= frames; ++frame)
+  {
+    const SceneObjects objects = scene.inFrame(frame);
+    const double whole = timeUpdate(full, objects, settings).repair;
+    EngineSettings own = settings;
+    own.repairTimeBudget = 0.01 * percent * whole;
+    timeUpdate(timed, objects, own);
+    const double taken = timed.statistics().repairSeconds;
+    timeUpdate(timed, objects, settings);
+    requireEqualAnswers(timed, full, objects);
+    const double excess = taken - own.repairTimeBudget;
+    kept += excess <= std::max(0.2 * own.repairTimeBudget, 0.002) ? 1 : 0;
+    report(table, row, "time / budget", taken / own.repairTimeBudget);
+    report(table, row, "time with the rest / repair at once",
+      (taken + timed.statistics().repairSeconds) / whole);
+  }
+  report(table, row, "frames within 20 % or 2 ms, %", 100 * kept / frames);
+}
+
 }
 
 void run(const Arguments& arguments)
@@ -145,6 +151,9 @@ void run(const Arguments& arguments)
       timeRound(isSmall ? small : scene, settings, frames, isSmall);
     }
   }
-  timeSpread(scene, settings, std::min(frames, rounds));
   timeCache(scene, settings, frames);
+  for (const int percent : { 10, 50 })
+  {
+    timeBudget(scene, settings, frames, percent);
+  }
 }

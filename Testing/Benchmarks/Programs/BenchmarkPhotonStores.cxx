@@ -1,27 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What it costs to keep photons. One thread, CPU time.
+ * What it costs to keep photons, and to find the nearest of them. One thread, CPU time.
  *
- * PhotonSets: photons come to sets at random and leave them, beside the standard library's hash
- * table and a vector that is searched from end to end. CellPhotonSets: a room with specular cells,
- * whose photons the engine keeps, beside the same room without any. LeafPhotons: all photons of a
- * room, in the leaf cells of its trees, beside the same frames without. In every round all have to
- * hold the right photons.
+ * CellPhotonSets: section 4.2 of the paper, a room with specular cells, whose photons are in a set
+ * for each, beside the same room without any. LeafPhotons: all photons of a room, in the leaf cells
+ * of its trees, beside the same frames without. In every round all have to hold the right photons.
  *
- * Arguments: [walks = 1000000] [rounds = 5]
+ * NearestPhotons: the 50 nearest to places at random on the surfaces of a room, by locators that
+ * are built again in each frame, and by our leaf photons, of which only those of changed walks are
+ * moved. Before any time counts, all have to find what a search of all photons finds. Ours takes
+ * only photons on sides that face as the sensor does, from a flattened world. A frame asks once for
+ * each of 640 x 480 pixels. A program with a photon map shoots walks without storing them, and
+ * builds the map; ours verifies and repairs them, and moves photons.
+ *
+ * Arguments: [walks = 1000000] [rounds = 5] [searches = 30000]
  */
 #include "../../PhotonWalks/HistoryPhotons.h"
 #include "Measuring/EngineTiming.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
+#include "Photons/LeafPhotons.h"
 #include "Rivals/CellPhotonSets.h"
-#include "Rivals/PhotonBags.h"
-#include "Scenes/PhotonTraffic.h"
+#include "Rivals/PhotonLocator.h"
 #include "Scenes/PlainRoom.h"
+#include "Scenes/SurfaceSensors.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <stdexcept>
-#include <type_traits>
 
 using namespace irradiance;
 
@@ -36,107 +43,17 @@ void require(bool isRight, const std::string& what)
   }
 }
 
-/// Prefetches what the later steps will need, as CellPhotonSets does.
-template <class Bag, class Work>
-void forEachStep(
-  std::vector<Bag>& bags, const std::vector<PhotonTraffic::Step>& steps, const Work& work)
+const WalkHistory& historyOf(const IrradianceEngine& engine)
 {
-  constexpr std::size_t kAhead = 16;
-  for (std::size_t i = 0; i < steps.size(); ++i)
-  {
-    prefetchLine(&bags[steps[std::min(i + 2 * kAhead, steps.size() - 1)].set]);
-    const PhotonTraffic::Step& later = steps[std::min(i + kAhead, steps.size() - 1)];
-    bags[later.set].prefetch(later.photon);
-    work(bags[steps[i].set], steps[i].photon);
-  }
+  return test::onlySet(engine).history();
 }
 
-template <class Bag>
-void requireContents(const std::vector<Bag>& bags, const std::vector<PhotonTraffic::Photons>& model)
-{
-  for (std::size_t i = 0; i < bags.size(); ++i)
-  {
-    PhotonTraffic::Photons expected = model[i], found;
-    bags[i].forEach([&](const SegmentRef& photon) { found.push_back(photon); });
-    std::sort(expected.begin(), expected.end());
-    std::sort(found.begin(), found.end());
-    require(found == expected, std::string(Bag::kName) + " holds other photons");
-  }
-}
+/// In each place, in order.
+using Contents = std::vector<std::vector<SegmentRef>>;
 
-/// After as many changes as there are photons, so that nothing is as new. `size`: photons in a set.
-template <class Bag>
-void timeSets(std::size_t photons, std::size_t size, int rounds)
+Contents contentsOf(const CellPhotonSets& sets, const SceneObjects& objects)
 {
-  const auto insert = [](Bag& bag, const SegmentRef& photon) { bag.insert(photon); };
-  const auto remove = [](Bag& bag, const SegmentRef& photon) { bag.remove(photon); };
-  constexpr int kRoundsToAge = 10;
-  PhotonTraffic traffic(photons / size, size);
-  std::vector<Bag> bags(traffic.photons().size());
-  forEachStep(bags, traffic.arrived(), insert);
-  std::vector<double> removal, insertion;
-  for (int round = -kRoundsToAge; round < rounds; ++round)
-  {
-    traffic.nextRound(photons / kRoundsToAge);
-    const double perStep = 1e9 / static_cast<double>(traffic.gone().size());
-    const double gone = threadCpuSecondsOf([&] { forEachStep(bags, traffic.gone(), remove); });
-    const double arrived =
-      threadCpuSecondsOf([&] { forEachStep(bags, traffic.arrived(), insert); });
-    requireContents(bags, traffic.photons());
-    if (round >= 0)
-    {
-      removal.push_back(perStep * gone);
-      insertion.push_back(perStep * arrived);
-    }
-  }
-  double bytes = 0;
-  for (const Bag& bag : bags)
-  {
-    bytes += static_cast<double>(bag.memory());
-  }
-  const std::string row = std::string(Bag::kName) + ", " + std::to_string(size) + " photons each";
-  const bool isMain = std::is_same_v<Bag, OurBag> && size == 500;
-  if (isMain)
-  {
-    report("PhotonSets", row, "insertion, ns", insertion, { 60, 25 });
-    report("PhotonSets", row, "removal, ns", removal, { 60, 25 });
-  }
-  report("PhotonSetSizes", row, "insertion, ns", insertion);
-  report("PhotonSetSizes", row, "removal, ns", removal);
-  report("PhotonSetSizes", row, "bytes a photon", bytes / static_cast<double>(photons));
-}
-
-/// The mean over all sizes up to the largest, of a set that grows.
-void measureBytes()
-{
-  constexpr std::uint32_t kMost = 10000;
-  OurBag set;
-  double sum = 0;
-  while (set.size() < kMost)
-  {
-    set.insert({ static_cast<std::uint32_t>(set.size()), 0 });
-    sum += static_cast<double>(set.memory()) / static_cast<double>(set.size());
-  }
-  report("PhotonSets", "PhotonSet, mean over sizes of 1 to " + std::to_string(kMost),
-    "bytes a photon", sum / kMost, { 24, 12 });
-}
-
-void timeAllSets(std::size_t photons, int rounds)
-{
-  for (const std::size_t size : { 5, 50, 500, 5000 })
-  {
-    timeSets<OurBag>(photons, size, rounds);
-    timeSets<StandardBag>(photons, size, rounds);
-    timeSets<PlainBag>(photons, size, rounds);
-  }
-  measureBytes();
-}
-
-/// What is on each cell.
-std::vector<PhotonTraffic::Photons> contentsOf(
-  const CellPhotonSets& sets, const SceneObjects& objects)
-{
-  std::vector<PhotonTraffic::Photons> contents;
+  Contents contents;
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
     for (std::size_t cell = 0; cell < objects[object].material->numberOfCells; ++cell)
@@ -147,11 +64,9 @@ std::vector<PhotonTraffic::Photons> contentsOf(
   return contents;
 }
 
-/// What is in each leaf, in order.
-std::vector<PhotonTraffic::Photons> contentsOf(
-  const LeafPhotons& photons, const SceneObjects& objects)
+Contents contentsOf(const LeafPhotons& photons, const SceneObjects& objects)
 {
-  std::vector<PhotonTraffic::Photons> contents;
+  Contents contents;
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
     for (std::uint32_t leaf = 0; leaf < photons.tree(object).numberOfBlocks(); ++leaf)
@@ -167,124 +82,79 @@ std::vector<PhotonTraffic::Photons> contentsOf(
   return contents;
 }
 
+/// Throws unless photons that were kept up to date are where new ones are.
 template <class Photons>
-void reportMemory(const Photons& photons, const SceneObjects& objects, const std::string& table,
-  const std::string& row)
+void checkAndReportMemory(const std::string& table, const std::string& row, const Photons& photons,
+  const Photons& fresh, const SceneObjects& objects)
 {
-  std::size_t count = 0;
-  for (const PhotonTraffic::Photons& cell : contentsOf(photons, objects))
+  const Contents contents = contentsOf(photons, objects);
+  require(contents == contentsOf(fresh, objects), table + ": updated photons differ from new ones");
+  double count = 0;
+  for (const auto& each : contents)
   {
-    count += cell.size();
+    count += static_cast<double>(each.size());
   }
-  report(table, row, "photons, millions", 1e-6 * static_cast<double>(count));
-  report(table, row, "bytes a photon",
-    static_cast<double>(photons.bytes()) / static_cast<double>(count));
+  report(table, row, "bytes a photon", static_cast<double>(photons.bytes()) / count);
 }
 
-/// The photons on the specular cells of an engine's walks, kept up to date.
-class SpecularPhotons
+template <class Photons>
+Photons collected(const IrradianceEngine& engine, Execution& execution)
 {
-public:
-  SpecularPhotons(const IrradianceEngine& engine, Execution& execution)
-    : sets_(collected(engine, execution))
-    , photons_(test::photonsOf(test::onlySet(engine).history()))
-  {
-  }
-
-  const CellPhotonSets& sets() const { return sets_; }
-  static CellPhotonSets collected(const IrradianceEngine& engine, Execution& execution)
-  {
-    CellPhotonSets sets(engine.objects());
-    const WalkHistory& history = test::onlySet(engine).history();
-    sets.add(history, 0, history.size(), execution);
-    return sets;
-  }
-  /// Seconds, without the time to find what has changed, which the engine knows.
-  double follow(const IrradianceEngine& engine, Execution& execution)
-  {
-    std::vector<Photon> now = test::photonsOf(test::onlySet(engine).history());
-    const PhotonChanges changes = test::changesBetween(photons_, now);
-    photons_ = std::move(now);
-    return threadCpuSecondsOf([&] { sets_.apply(changes, execution); });
-  }
-
-private:
-  CellPhotonSets sets_;
-  std::vector<Photon> photons_;
-};
-
-/// As the filter asks for them.
-EngineSettings keeping(EngineSettings settings)
-{
-  settings.keepPhotons = true;
-  return settings;
+  Photons photons(engine.objects());
+  photons.add(historyOf(engine), 0, historyOf(engine).size(), execution);
+  return photons;
 }
+
+constexpr int kFrames = 4;
 
 /// A room with specular cells beside the same room without any. Its walks are longer.
-void timeSpecularPhotons(const EngineSettings& settings, int rounds)
+void timeSpecularPhotons(const EngineSettings& settings, const EngineSettings& kept, int rounds)
 {
   const std::string table = "CellPhotonSets", row = "20 % of the cells";
   const MovingScene matte = makePlainRoom(), glossy = makeGlossyRoom(0.2);
-  const EngineSettings kept = keeping(settings);
   CpuTime execution;
   for (int round = 0; round < rounds; ++round)
   {
     IrradianceEngine plain, engine;
+    CellPhotonSets sets;
     const double plainFirst = timeUpdate(plain, matte.at(0), settings).whole;
-    const double first = timeUpdate(engine, glossy.at(0), kept).whole;
-    const double building =
-      threadCpuSecondsOf([&] { SpecularPhotons::collected(engine, execution); });
-    SpecularPhotons photons(engine, execution);
-    report(table, row, "first shooting / without", (first + building) / plainFirst, { 1.35, 1.15 });
-    report(table + "Parts", row, "built, ms", 1e3 * building);
-    report(table + "Parts", row, "built / first shooting", building / (first + building));
-    report(table + "Parts", row, "segments / without",
+    const double first = timeUpdate(engine, glossy.at(0), kept).whole +
+      threadCpuSecondsOf([&] { sets = collected<CellPhotonSets>(engine, execution); });
+    report(table, row, "first shooting / without", first / plainFirst, { 1.35, 1.15 });
+    report(table, row, "segments / without",
       static_cast<double>(engine.balance().segments) /
         static_cast<double>(plain.balance().segments));
-    constexpr int kFrames = 4;
-    double frames = 0, plainFrames = 0, changed = 0;
+    std::vector<Photon> photons = test::photonsOf(historyOf(engine));
+    double frames = 0, plainFrames = 0;
     for (int frame = 1; frame <= kFrames; ++frame)
     {
       plainFrames += timeUpdate(plain, matte.inFrame(frame), settings).whole;
       frames += timeUpdate(engine, glossy.inFrame(frame), kept).whole;
-      frames += photons.follow(engine, execution);
-      changed += static_cast<double>(engine.statistics().invalidWalks);
+      // Without the time to find what has changed, which the engine knows.
+      std::vector<Photon> now = test::photonsOf(historyOf(engine));
+      const PhotonChanges changes = test::changesBetween(photons, now);
+      photons = std::move(now);
+      frames += threadCpuSecondsOf([&] { sets.apply(changes, execution); });
     }
-    const SceneObjects objects = glossy.inFrame(kFrames);
-    require(contentsOf(photons.sets(), objects) ==
-        contentsOf(SpecularPhotons::collected(engine, execution), objects),
-      "Updated photons differ from new ones");
     report(table, row, "frame / without", frames / plainFrames, { 1.35, 1.15 });
-    report(
-      table + "Parts", row, "walks changed, %", 100 * changed / kFrames / settings.numberOfWalks);
-    reportMemory(photons.sets(), glossy.at(0), table + "Parts", row);
+    checkAndReportMemory(
+      table, row, sets, collected<CellPhotonSets>(engine, execution), engine.objects());
   }
 }
 
-/// Throws unless the engine, which kept its photons up to date, has what a new one collects.
-void requireFreshLeaves(const IrradianceEngine& engine, Execution& execution)
-{
-  LeafPhotons fresh(engine.objects());
-  fresh.add(test::onlySet(engine).history(), 0, test::onlySet(engine).history().size(), execution);
-  require(contentsOf(engine.photons(), engine.objects()) == contentsOf(fresh, engine.objects()),
-    "Updated leaves differ from new ones");
-}
-
 /// All photons in the leaf cells, kept up to date, beside the same frames without them.
-void timeLeafPhotons(const EngineSettings& settings, int rounds)
+void timeLeafPhotons(const EngineSettings& settings, const EngineSettings& kept, int rounds)
 {
-  constexpr int kFrames = 4;
   constexpr double kSize = 1.05; // some 4 % of the walks change
   const std::string table = "LeafPhotons", row = "plain room";
   const MovingScene room = makePlainRoom(kSize);
-  const EngineSettings kept = keeping(settings);
   CpuTime execution;
   for (int round = 0; round < rounds; ++round)
   {
     IrradianceEngine plain, engine;
     timeUpdate(plain, room.at(0), settings);
-    const double first = timeUpdate(engine, room.at(0), kept).whole;
-    const double building = threadCpuSecondsOf([&] { engine.collectPhotons(execution); });
+    timeUpdate(engine, room.at(0), kept);
+    engine.collectPhotons(execution);
     double frames = 0, plainFrames = 0, changed = 0;
     for (int frame = 1; frame <= kFrames; ++frame)
     {
@@ -292,15 +162,98 @@ void timeLeafPhotons(const EngineSettings& settings, int rounds)
       frames += timeUpdate(engine, room.inFrame(frame), kept).whole;
       changed += static_cast<double>(engine.statistics().invalidWalks);
     }
-    requireFreshLeaves(engine, execution);
     report(table, row, "share of a frame", 1 - plainFrames / frames, { 0.30, 0.10 });
-    report(table + "Parts", row, "frame / without", frames / plainFrames);
-    report(table + "Parts", row, "built, ms", 1e3 * building);
-    report(table + "Parts", row, "built / first shooting", building / first);
-    report(table + "Parts", row, "frame without, ms", 1e3 * plainFrames / kFrames);
-    report(
-      table + "Parts", row, "walks changed, %", 100 * changed / kFrames / settings.numberOfWalks);
-    reportMemory(engine.photons(), room.at(0), table + "Parts", row);
+    report(table, row, "walks changed, %", 100 * changed / kFrames / settings.numberOfWalks);
+    checkAndReportMemory(
+      table, row, engine.photons(), collected<LeafPhotons>(engine, execution), engine.objects());
+  }
+}
+
+constexpr std::size_t kNearest = 50;
+
+/// Whether a locator finds what a search of all photons, one by one, finds.
+bool findsNearest(PhotonLocator& locator, const Sensor& sensor)
+{
+  locator.find(sensor, kNearest);
+  std::vector<double> found = locator.squaredDistances(), all = locator.allSquaredDistances(sensor);
+  std::sort(found.begin(), found.end());
+  std::partial_sort(all.begin(), all.begin() + kNearest, all.end());
+  // The rivals compute in floats: 2e-7 m each for coordinates up to 4 m.
+  return std::equal(found.begin(), found.end(), all.begin(), all.begin() + kNearest,
+    [](double a, double b) { return std::abs(std::sqrt(a) - std::sqrt(b)) < 2e-6; });
+}
+
+struct Contestant
+{
+  std::string name;
+  std::unique_ptr<PhotonLocator> locator;
+};
+
+/// `walks`: the seconds that walks take in a frame. Returns searches a second, with the building.
+double timeSearches(const Contestant& contestant, const std::vector<Sensor>& sensors, double walks)
+{
+  constexpr double kPixels = 640 * 480;
+  PhotonLocator& locator = *contestant.locator;
+  const double building = threadCpuSecondsOf([&] { locator.build(); });
+  const double search = threadCpuSecondsOf([&] {
+    for (const Sensor& sensor : sensors)
+    {
+      locator.find(sensor, kNearest);
+    }
+  }) /
+    static_cast<double>(sensors.size());
+  const double searches = kPixels * search, frame = walks + building + searches;
+  const double perSecond = kPixels / (building + searches);
+  const auto add = [&](const std::string& what, double value) {
+    report("NearestPhotons", contestant.name, what, value);
+  };
+  add("built or kept up to date, s", building);
+  add("us a search", 1e6 * search);
+  add("searches a second, building counted", perSecond);
+  add("frame, s", frame);
+  add("share of a frame: searches, %", 100 * searches / frame);
+  add("share of a frame: building, %", 100 * building / frame);
+  return perSecond;
+}
+
+void timeNearestPhotons(
+  const EngineSettings& settings, const EngineSettings& kept, int rounds, std::size_t searches)
+{
+  const MovingScene scene = makePlainRoom();
+  std::array<IrradianceEngine, 2> engines; // two frames that follow each other
+  for (int frame = 0; frame < 2; ++frame)
+  {
+    timeUpdate(engines[frame], scene.inFrame(frame), kept);
+  }
+  const std::vector<Sensor> sensors = makeSurfaceSensors(scene.inFrame(0), searches);
+  std::vector<Contestant> contestants;
+  contestants.push_back({ "photon map", makePhotonMapLocator(engines[0]) });
+  contestants.push_back({ "vtkStaticPointLocator", makeVtkLocator(engines[0]) });
+  contestants.push_back({ "leaf photons", makeLeafLocator(engines[0], engines[1]) });
+  for (const Contestant& contestant : contestants)
+  {
+    contestant.locator->build();
+    require(
+      std::all_of(sensors.begin(), sensors.begin() + std::min<std::ptrdiff_t>(100, sensors.size()),
+        [&](const Sensor& sensor) { return findsNearest(*contestant.locator, sensor); }),
+      "The " + contestant.name + " finds other photons");
+  }
+  EngineSettings forgetting = settings; // what stores nothing
+  forgetting.verify = false;
+  for (int round = 0; round < rounds; ++round)
+  {
+    IrradianceEngine shooting, updating;
+    const double shot = timeUpdate(shooting, scene.inFrame(0), forgetting).whole;
+    timeUpdate(updating, scene.inFrame(0), settings);
+    const double updated = timeUpdate(updating, scene.inFrame(1), settings).whole;
+    const double theirs[] = { timeSearches(contestants[0], sensors, shot),
+      timeSearches(contestants[1], sensors, shot) };
+    const double ours = timeSearches(contestants[2], sensors, updated);
+    for (std::size_t i = 0; i < std::size(theirs); ++i)
+    {
+      report("NearestPhotonsRatios", contestants[2].name + " / " + contestants[i].name,
+        "searches a second, building counted", ours / theirs[i], { 1, 3 });
+    }
   }
 }
 
@@ -310,8 +263,10 @@ void run(const Arguments& arguments)
 {
   EngineSettings settings;
   settings.numberOfWalks = arguments.number(0, 1000000u);
+  EngineSettings kept = settings; // as the filter asks for photons
+  kept.keepPhotons = true;
   const int rounds = arguments.number(1, 5);
-  timeAllSets(settings.numberOfWalks, rounds);
-  timeSpecularPhotons(settings, rounds);
-  timeLeafPhotons(settings, rounds);
+  timeSpecularPhotons(settings, kept, rounds);
+  timeLeafPhotons(settings, kept, rounds);
+  timeNearestPhotons(settings, kept, rounds, arguments.number(2, std::size_t{ 30000 }));
 }

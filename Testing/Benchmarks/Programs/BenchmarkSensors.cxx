@@ -8,8 +8,7 @@
  * that rays read. Few sheets near the lamp have most of the rival's noise, so it cannot tell how
  * small our errors are: for these the truth is found, twice, by our paths alone, which read no
  * sums; and that must agree with the rival, too. Ours reads the sums of walks, which are shot once
- * for all sensors: their time is reported by itself. Of the fluence rate at the same places the
- * noise is that between seeds.
+ * for all sensors: their time is reported by itself.
  *
  * Then the ring moves, frame by frame: sensors whose rays are kept are brought up to date
  * (StoredSensors), beside sensors that gather anew, on the same engine. Both must have the same
@@ -27,13 +26,11 @@
 #include "Measuring/HalvedTruth.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
+#include "Measuring/Shot.h"
 #include "Photons/NearestEstimate.h"
-#include "Rivals/Contest.h"
-#include "Rivals/EmbreeScene.h"
 #include "Rivals/PlainGatherer.h"
 #include "Scenes/PlainRoom.h"
 #include "Scenes/SurfaceSensors.h"
-#include "Views/SensorDirectLight.h"
 #include "Views/SensorFinalGather.h"
 #include "Views/StoredSensors.h"
 
@@ -129,6 +126,48 @@ CellField valuesAt(const SensorFinalGather& gather, const std::vector<Sensor>& s
   return values;
 }
 
+/// `measure(engine, execution)` finds the values of an engine's walks.
+template <class Measure>
+Run measured(const SceneObjects& objects, const EngineSettings& settings, const Measure& measure)
+{
+  IrradianceEngine engine;
+  CpuTime execution;
+  Run run{ {}, 0, timeUpdate(engine, objects, settings).whole };
+  run.seconds = threadCpuSecondsOf([&] { run.values = measure(engine, execution); });
+  return run;
+}
+
+Run gatherAt(const SceneObjects& objects, const EngineSettings& settings,
+  const std::vector<Sensor>& sensors, std::uint32_t rays)
+{
+  return measured(objects, settings, [&](IrradianceEngine& engine, Execution& execution) {
+    return valuesAt(SensorFinalGather(engine, rays, execution), sensors);
+  });
+}
+
+/// With the direct light that the cells of their feet gather.
+Run findNearest(const SceneObjects& objects, EngineSettings settings,
+  const std::vector<Sensor>& sensors, std::uint32_t photons)
+{
+  settings.keepPhotons = true;
+  return measured(objects, settings, [&](IrradianceEngine& engine, Execution& execution) {
+    CellField values(sensors.size());
+    engine.collectPhotons(execution);
+    engine.prepareSurfaces(execution);
+    const NearestPhotons nearest = engine.nearestPhotons();
+    const SensorDirectLight direct(engine);
+    for (std::size_t i = 0; i < sensors.size(); ++i)
+    {
+      const std::optional<Foot> foot = nearest.footOf(sensors[i], usualDistance(nearest));
+      const NearestEstimate estimate =
+        nearestEstimate(nearest, foot.value(), photons, usualRadius(nearest, photons));
+      values[static_cast<Eigen::Index>(i)] =
+        engine.watts(estimate.power[0]) / estimate.area + direct.irradiance(*foot, i)[0];
+    }
+    return values;
+  });
+}
+
 class Room
 {
 public:
@@ -151,32 +190,21 @@ public:
                tally.irradiance.data(), static_cast<Eigen::Index>(sheets_.size())),
       seconds };
   }
-  std::vector<Sensor> sensors(bool isFluence) const
+  std::vector<Sensor> sensors() const
   {
     std::vector<Sensor> sensors;
     for (const Sheet& sheet : sheets_)
     {
-      sensors.push_back({ sheet.place, isFluence ? Vector3(Vector3::Zero()) : sheet.normal });
-      sensors.push_back(
-        { sheet.place, isFluence ? Vector3(Vector3::Zero()) : Vector3(-sheet.normal) });
+      sensors.push_back({ sheet.place, sheet.normal });
+      sensors.push_back({ sheet.place, -sheet.normal });
     }
     return sensors;
   }
-  /// Of both sides together; or the fluence rate.
-  Run gatherOurs(const EngineSettings& settings, std::uint32_t rays, bool isFluence) const
+  /// Of both sides together.
+  Run gatherOurs(const EngineSettings& settings, std::uint32_t rays) const
   {
-    const std::vector<Sensor> sensors = this->sensors(isFluence);
-    IrradianceEngine engine;
-    CpuTime execution;
-    Run run{ CellField(sheets_.size()), 0, timeUpdate(engine, objects_, settings).whole };
-    run.seconds = threadCpuSecondsOf([&] {
-      const SensorFinalGather gather(engine, rays, execution);
-      const CellField found = valuesAt(gather, sensors);
-      for (Eigen::Index i = 0; i < run.values.size(); ++i)
-      {
-        run.values[i] = found[2 * i] + (isFluence ? 0 : found[2 * i + 1]);
-      }
-    });
+    Run run = gatherAt(objects_, settings, sensors(), rays);
+    run.values = run.values.reshaped(2, run.values.size() / 2).colwise().sum().transpose().eval();
     return run;
   }
 
@@ -218,96 +246,57 @@ void reportError(const std::string& row, const Contestant& contestant, double sq
   report(kTable, who, "s to 2 %", medianOfSeconds(contestant) * squaredError / (kError * kError));
 }
 
-/// Sensors on surfaces, which the nearest photons know, too. The truth is gathered by paths alone:
-/// of so few walks no sums are read.
-class Walls
+/// By seeds, in turns.
+void runRounds(std::vector<Contestant>& contestants, int rounds)
 {
-public:
-  Walls(const SceneObjects& objects, int sensors)
-    : objects_(objects)
-    , sensors_(makeSurfaceSensors(objects, static_cast<std::size_t>(sensors)))
-  {
-  }
-
-  Run gather(const EngineSettings& settings, std::uint32_t rays) const
-  {
-    return measure(
-      settings, [&](IrradianceEngine& engine, Execution& execution, CellField& values) {
-        values = valuesAt(SensorFinalGather(engine, rays, execution), sensors_);
-      });
-  }
-  Run findNearest(EngineSettings settings, std::uint32_t photons) const
-  {
-    settings.keepPhotons = true;
-    return measure(
-      settings, [&](IrradianceEngine& engine, Execution& execution, CellField& values) {
-        engine.collectPhotons(execution);
-        engine.prepareSurfaces(execution);
-        const NearestPhotons nearest = engine.nearestPhotons();
-        const SensorDirectLight direct(engine);
-        for (std::size_t i = 0; i < sensors_.size(); ++i)
-        {
-          const std::optional<Foot> foot = nearest.footOf(sensors_[i], usualDistance(nearest));
-          const NearestEstimate estimate =
-            nearestEstimate(nearest, foot.value(), photons, usualRadius(nearest, photons));
-          values[static_cast<Eigen::Index>(i)] =
-            engine.watts(estimate.power[0]) / estimate.area + direct.irradiance(*foot, i)[0];
-        }
-      });
-  }
-
-private:
-  template <class Measure>
-  Run measure(const EngineSettings& settings, const Measure& measure) const
-  {
-    IrradianceEngine engine;
-    CpuTime execution;
-    Run run{ CellField(sensors_.size()), 0, timeUpdate(engine, objects_, settings).whole };
-    run.seconds = threadCpuSecondsOf([&] { measure(engine, execution, run.values); });
-    return run;
-  }
-
-  SceneObjects objects_;
-  std::vector<Sensor> sensors_;
-};
-
-void compareOnWalls(const std::string& name, const Walls& walls, const Sizes& sizes)
-{
-  EngineSettings settings;
-  settings.separateSides = true;
-  const HalvedTruth truth{ walls.gather(fewWalks(100000), sizes.truthPaths).values,
-    walls.gather(fewWalks(100001), sizes.truthPaths).values };
-  std::vector<Contestant> contestants;
-  for (const bool gathersDirectLight : { false, true })
-  {
-    settings.gathersDirectLight = gathersDirectLight;
-    settings.numberOfWalks = 10 * sizes.walks;
-    const std::string light = gathersDirectLight ? ", direct light gathered" : ", shot";
-    contestants.push_back({ "nearest 50" + light, [&walls, settings](std::uint64_t seed) {
-                             return walls.findNearest(withSeed(settings, seed), 50);
-                           } });
-    settings.numberOfWalks = sizes.walks;
-    contestants.push_back({ "gathered, 64 rays" + light, [&walls, settings](std::uint64_t seed) {
-                             return walls.gather(withSeed(settings, seed), 64);
-                           } });
-  }
-  const CellField even = CellField::Ones(truth.first.size());
-  const CellSet all{ "sensors", 0, truth.first.size() };
-  for (int round = 0; round < sizes.rounds; ++round)
+  for (int round = 0; round < rounds; ++round)
   {
     for (Contestant& contestant : contestants)
     {
       contestant.runs.push_back(contestant.run(static_cast<std::uint64_t>(round) + 1));
     }
   }
+}
+
+double meanSquaredError(const Contestant& contestant, const HalvedTruth& truth)
+{
+  const Eigen::Index count = truth.first.size();
+  Mean error;
+  for (const Run& run : contestant.runs)
+  {
+    error.add(truth.squaredError(run.values, CellField::Ones(count), { "sensors", 0, count }));
+  }
+  return error.value();
+}
+
+/// Sensors on surfaces, which the nearest photons know, too. The truth is gathered by paths alone:
+/// of so few walks no sums are read.
+void compareOnSurfaces(const std::string& name, const SceneObjects& objects, const Sizes& sizes)
+{
+  const std::vector<Sensor> sensors =
+    makeSurfaceSensors(objects, static_cast<std::size_t>(sizes.sheets));
+  const HalvedTruth truth{ gatherAt(objects, fewWalks(100000), sensors, sizes.truthPaths).values,
+    gatherAt(objects, fewWalks(100001), sensors, sizes.truthPaths).values };
+  EngineSettings settings;
+  settings.separateSides = true;
+  std::vector<Contestant> contestants;
+  for (const bool gathersDirectLight : { false, true })
+  {
+    settings.gathersDirectLight = gathersDirectLight;
+    settings.numberOfWalks = 10 * sizes.walks;
+    const std::string light = gathersDirectLight ? ", direct light gathered" : ", shot";
+    contestants.push_back({ "nearest 50" + light, [&, settings](std::uint64_t seed) {
+                             return findNearest(objects, withSeed(settings, seed), sensors, 50);
+                           } });
+    settings.numberOfWalks = sizes.walks;
+    contestants.push_back({ "gathered, 64 rays" + light, [&, settings](std::uint64_t seed) {
+                             return gatherAt(objects, withSeed(settings, seed), sensors, 64);
+                           } });
+  }
+  runRounds(contestants, sizes.rounds);
   for (const Contestant& contestant : contestants)
   {
-    Mean error;
-    for (const Run& run : contestant.runs)
-    {
-      error.add(truth.squaredError(run.values, even, all));
-    }
-    reportError(name + ", on surfaces", contestant, error.value());
+    reportError(name + ", on surfaces", contestant, meanSquaredError(contestant, truth));
   }
 }
 
@@ -320,31 +309,15 @@ void compare(const std::string& name, const Room& room, const Sizes& sizes)
     [&](std::uint64_t seed) { return room.gatherPlain(32, seed); } } };
   for (const std::uint32_t rays : { 16u, 32u, 64u, 128u })
   {
-    contestants.push_back(
-      { "ours, " + std::to_string(rays) + " rays", [&, rays](std::uint64_t seed) {
-         return room.gatherOurs(withSeed(settings, seed), rays, false);
-       } });
+    contestants.push_back({ "ours, " + std::to_string(rays) + " rays",
+      [&, rays](std::uint64_t seed) { return room.gatherOurs(withSeed(settings, seed), rays); } });
   }
   const std::uint64_t truthSeed = 100000;
   const HalvedTruth check{ room.gatherPlain(sizes.truthPaths, truthSeed).values,
     room.gatherPlain(sizes.truthPaths, truthSeed + 1).values };
-  const Run halves[]{ room.gatherOurs(fewWalks(truthSeed), sizes.truthPaths / 2, false),
-    room.gatherOurs(fewWalks(truthSeed + 1), sizes.truthPaths / 2, false) };
-  const HalvedTruth truth{ halves[0].values, halves[1].values };
-  std::vector<Run> fluence[2];
-  for (int round = 0; round < sizes.rounds; ++round)
-  {
-    const auto seed = static_cast<std::uint64_t>(round) + 1;
-    for (Contestant& contestant : contestants)
-    {
-      contestant.runs.push_back(contestant.run(seed));
-    }
-    for (const int half : { 0, 1 })
-    {
-      fluence[half].push_back(room.gatherOurs(
-        withSeed(settings, seed + 1000 * static_cast<std::uint64_t>(half + 1)), 64, true));
-    }
-  }
+  const HalvedTruth truth{ room.gatherOurs(fewWalks(truthSeed), sizes.truthPaths / 2).values,
+    room.gatherOurs(fewWalks(truthSeed + 1), sizes.truthPaths / 2).values };
+  runRounds(contestants, sizes.rounds);
   const CellField even = CellField::Ones(truth.first.size());
   const CellSet all{ "sensors", 0, truth.first.size() };
   requireAgreement("paths alone, " + name, { truth.first, truth.second }, check, even, all, 0.03);
@@ -352,18 +325,17 @@ void compare(const std::string& name, const Room& room, const Sizes& sizes)
   for (const Contestant& contestant : contestants)
   {
     std::vector<CellField> fields;
-    Mean error;
     for (const Run& run : contestant.runs)
     {
       fields.push_back(run.values);
-      error.add(truth.squaredError(run.values, even, all));
     }
     const Agreement agreement =
       requireAgreement(contestant.name + ", " + name, fields, check, even, all, 0.03);
     report(kTable, name + ", " + contestant.name, "mean / truth", agreement.ratio);
     report(kTable, name + ", " + contestant.name, "systematic RMS, %", 100 * agreement.systematic);
-    reportError(name, contestant, error.value());
-    costs.push_back(medianOfSeconds(contestant) * error.value());
+    const double error = meanSquaredError(contestant, truth);
+    reportError(name, contestant, error);
+    costs.push_back(medianOfSeconds(contestant) * error);
   }
   for (std::size_t i = 1; i < costs.size(); ++i)
   {
@@ -377,15 +349,6 @@ void compare(const std::string& name, const Room& room, const Sizes& sizes)
         run.walks + share * run.seconds * 10000 / sensors, { 0.5, 0.2 });
     }
   }
-  Contestant ours{ "ours, fluence rate, 64 rays", {} };
-  Mean variance;
-  for (std::size_t i = 0; i < fluence[0].size(); ++i)
-  {
-    const CellField &a = fluence[0][i].values, &b = fluence[1][i].values;
-    variance.add(0.5 * (a - b).square().mean() / std::pow(0.5 * (a.mean() + b.mean()), 2));
-    ours.runs.push_back(fluence[0][i]);
-  }
-  reportError(name, ours, variance.value());
 }
 
 void compareUpdates(const MovingScene& scene, const Room& room, const Sizes& sizes)
@@ -395,7 +358,7 @@ void compareUpdates(const MovingScene& scene, const Room& room, const Sizes& siz
   settings.numberOfWalks = sizes.walks;
   settings.separateSides = settings.gathersDirectLight = true;
   const auto engine = std::make_shared<IrradianceEngine>();
-  const std::vector<Sensor> sensors = room.sensors(false);
+  const std::vector<Sensor> sensors = room.sensors();
   CpuTime execution;
   StoredSensors stored;
   for (int frame = 0; frame <= 5 * sizes.rounds; ++frame)
@@ -439,6 +402,6 @@ void run(const Arguments& arguments)
     const Room room(rooms[i].at(0), makeSheets(sizes.sheets));
     compareUpdates(rooms[i], room, sizes);
     compare(rooms[i].name, room, sizes);
-    compareOnWalls(rooms[i].name, Walls(rooms[i].at(0), sizes.sheets), sizes);
+    compareOnSurfaces(rooms[i].name, rooms[i].at(0), sizes);
   }
 }

@@ -11,12 +11,11 @@
  * Arguments: [walks = 1000000] [rounds = 5] [frames = 8] [head.off]
  */
 #include "../../PhotonWalks/ThreadExecution.h"
-#include "Measuring/EngineTiming.h"
+#include "Measuring/HalvedTruth.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
-#include "Rivals/Contest.h"
-#include "Rivals/EmbreeScene.h"
-#include "Scenes/DragonRoom.h"
+#include "Measuring/Shot.h"
+#include "Scenes/BenchmarkScene.h"
 #include "Scenes/PlainRoom.h"
 #include "Simd/SimdLevel.h"
 
@@ -31,7 +30,6 @@ namespace
 
 const std::string kTable = "PlainTracer";
 const std::string kSegments = "PlainTracerSegments";
-const std::string kAnswers = "PlainTracerAnswers";
 
 /// While it lives the engine uses AVX2 at most.
 struct Avx2Alone
@@ -57,11 +55,80 @@ void reportSegments(const std::string& who, const Shot& shot)
   report(kSegments, who, "segments, millions", 1e-6 * static_cast<double>(shot.segments));
 }
 
-void reportAnswers(const std::string& scene, const SharedReference& reference)
+/// A still scene that both shoot, and what is right in it: by both together, so it favours neither.
+class Contest
 {
-  report(kAnswers, scene, "mean irradiance, ours / the tracer's", reference.ratio());
-  report(kAnswers, scene, "RMS difference / what noise explains", reference.overNoise());
-}
+public:
+  /// Throws std::runtime_error if the programs differ by more than their noise explains.
+  Contest(const SceneObjects& objects, const EngineSettings& settings)
+    : objects_(objects)
+    , settings_(settings)
+    , areas_(areasOf(objects))
+    , all_(cellSetsOf(objects)[0])
+    , plain_(makePlainScene(objects))
+    , tracer_(plain_)
+  {
+    const HalvedTruth byUs = halvesOf([&](std::uint64_t seed) { return ours(seed); }),
+                      byThem = halvesOf([&](std::uint64_t seed) { return theirs(tracer_, seed); });
+    requireAgreement("Our mean", { byUs.first, byUs.second }, byThem, areas_, all_);
+    truth_ = combined(byUs, byThem, areas_, { all_ });
+  }
+
+  /// Nothing is stored.
+  Shot ours(std::uint64_t seed) const
+  {
+    EngineSettings settings = withSeed(settings_, seed);
+    settings.verify = false;
+    return shootNew(objects_, settings);
+  }
+  Shot oursStored(std::uint64_t seed) const
+  {
+    return shootNew(objects_, withSeed(settings_, seed));
+  }
+  Shot theirs(const PlainTracer& tracer, std::uint64_t seed) const
+  {
+    return shoot(tracer, objects_, plain_, withSeed(settings_, seed));
+  }
+
+  const PlainScene& plain() const { return plain_; }
+  const PlainTracer& tracer() const { return tracer_; }
+  double squaredError(const Shot& shot) const
+  {
+    return truth_.squaredError(shot.irradiance, areas_, all_);
+  }
+
+private:
+  /// Each the mean of four runs.
+  HalvedTruth halvesOf(const std::function<Shot(std::uint64_t)>& shoot) const
+  {
+    constexpr int kRuns = 8;
+    constexpr std::uint64_t kFirstSeed = 1000; // those that are measured are smaller
+    HalvedTruth halves{ CellField::Zero(areas_.size()), CellField::Zero(areas_.size()) };
+    for (int run = 0; run < kRuns; ++run)
+    {
+      CellField& half = run < kRuns / 2 ? halves.first : halves.second;
+      half += shoot(kFirstSeed + static_cast<std::uint64_t>(run)).irradiance / (kRuns / 2);
+    }
+    return halves;
+  }
+
+  SceneObjects objects_;
+  EngineSettings settings_;
+  CellField areas_;
+  CellSet all_;
+  PlainScene plain_;
+  PlainTracer tracer_;
+  HalvedTruth truth_;
+};
+
+/// Squared errors, the means of all rounds: the error of a single run varies.
+struct Errors
+{
+  /// For the same time, how much more efficient ours is.
+  double gain() const { return theirs.value() / ours.value(); }
+
+  Mean ours, theirs;
+};
 
 void reportEfficiency(const std::string& row, const PlainTracer& tracer, double gain,
   double plainSeconds, double seconds, const Goal& goal)
@@ -75,7 +142,6 @@ double timeShooting(const std::string& scene, const Contest& contest, int rounds
 {
   const std::string plain = "plain tracer, " + callOf(contest.tracer()) + ", " + scene,
                     own = "ours, " + instructionSet() + ", " + scene;
-  reportAnswers(scene, contest.reference());
   Errors errors;
   std::vector<Shot> theirs, ours;
   for (int round = 0; round < rounds; ++round)
@@ -83,8 +149,8 @@ double timeShooting(const std::string& scene, const Contest& contest, int rounds
     const auto seed = static_cast<std::uint64_t>(round) + 1;
     theirs.push_back(contest.theirs(contest.tracer(), seed));
     ours.push_back(contest.oursStored(seed));
-    errors.theirs.add(contest.reference().squaredError(theirs.back().irradiance));
-    errors.ours.add(contest.reference().squaredError(ours.back().irradiance));
+    errors.theirs.add(contest.squaredError(theirs.back()));
+    errors.ours.add(contest.squaredError(ours.back()));
     reportSegments(plain, theirs.back());
     reportSegments(own, ours.back());
   }
@@ -156,7 +222,6 @@ void timeFrames(const std::string& name, const MovingScene& scene, const EngineS
 {
   const Contest contest(scene.at(0), settings);
   const std::string row = "frame, " + name;
-  reportAnswers(row, contest.reference());
   Errors errors;
   std::vector<double> quotients;
   for (int round = 0; round < rounds; ++round)
@@ -164,9 +229,8 @@ void timeFrames(const std::string& name, const MovingScene& scene, const EngineS
     const EngineSettings own = withSeed(settings, static_cast<std::uint64_t>(round) + 1);
     IrradianceEngine engine;
     const Shot first = shoot(engine, scene.at(0), own);
-    errors.ours.add(contest.reference().squaredError(first.irradiance));
-    errors.theirs.add(
-      contest.reference().squaredError(contest.theirs(contest.tracer(), own.seed).irradiance));
+    errors.ours.add(contest.squaredError(first));
+    errors.theirs.add(contest.squaredError(contest.theirs(contest.tracer(), own.seed)));
     for (int frame = 1; frame <= frames; ++frame)
     {
       const SceneObjects objects = scene.inFrame(frame);
@@ -196,35 +260,6 @@ void timeFramesOfRing(
   const std::string name = std::string(which.name) + " of the walks changed";
   report(kTable, "frame, " + name, "ring, m", size);
   timeFrames(name, makePlainRoom(size), settings, rounds, frames, which.goal);
-}
-
-/// What is stored, and what an update costs in which nothing has moved.
-void measureHistory(const SceneObjects& objects, const EngineSettings& settings, int rounds)
-{
-  for (int round = 0; round < rounds; ++round)
-  {
-    constexpr int kRepetitions = 20;
-    IrradianceEngine engine;
-    const Shot first = shoot(engine, objects, settings);
-    report(kTable, "history, plain room", "bytes a segment",
-      static_cast<double>(engine.statistics().historyBytes) / static_cast<double>(first.segments),
-      { 38, 34 });
-    const std::vector<double> still =
-      timeInTurns({ [&] { timeUpdate(engine, objects, settings); } }, kRepetitions)[0];
-    report(kTable, "frame in which nothing moved", "time / first shooting",
-      medianOf(still) / first.seconds, { 1e-5, 0 });
-  }
-}
-
-/// Beside what its walks took when Russian roulette began at a quarter of the power.
-void measureHistoryOfTeapot(const SceneObjects& objects, const EngineSettings& settings)
-{
-  constexpr double kBytesOfWalk = 186.4;
-  IrradianceEngine engine;
-  timeUpdate(engine, objects, settings);
-  report(kTable, "history, moving teapot", "bytes / with roulette at a quarter of the power",
-    static_cast<double>(engine.statistics().historyBytes) / (kBytesOfWalk * settings.numberOfWalks),
-    { 0.6, 0.5 });
 }
 
 /// The same updates with one thread and with two, in turns, by the clock on the wall.
@@ -276,7 +311,11 @@ void run(const Arguments& arguments)
     makePlainRoom(findRingSize(0.02, settings)), gathering, rounds, frames, { 15, 28 });
   timeFrames("64 movers", makeRoomOfMovers(64, 0.13), settings, rounds, frames, { 3, 5 });
   timeFrames("200 movers", makeRoomOfMovers(200, 0.085), settings, rounds, frames, { 2.5, 4 });
-  measureHistory(room.at(0), settings, rounds);
-  measureHistoryOfTeapot(teapot.at(0), settings);
+  IrradianceEngine engine;
+  timeUpdate(engine, room.at(0), settings);
+  report(kTable, "history, plain room", "bytes a segment",
+    static_cast<double>(engine.statistics().historyBytes) /
+      static_cast<double>(engine.balance().segments),
+    { 38, 34 });
   timeThreads(room, settings, rounds, frames);
 }

@@ -145,8 +145,7 @@ std::vector<CellPhotonSets::Parts> CellPhotonSets::collect(
 {
   constexpr std::size_t kBlocksPerUnit = 16;
   std::vector<Parts> changes((end - first + kBlocksPerUnit - 1) / kBlocksPerUnit);
-  SlicedPass pass{ changes.size(), {} };
-  pass.work = [&](std::size_t unit, const Deadline&) {
+  forEachSliced(changes.size(), execution, [&](std::size_t unit) {
     const std::size_t begin = first + unit * kBlocksPerUnit;
     Collector collector(*this, changes[unit]);
     for (std::size_t block = begin; block < std::min(begin + kBlocksPerUnit, end); ++block)
@@ -154,9 +153,7 @@ std::vector<CellPhotonSets::Parts> CellPhotonSets::collect(
       history.forEachPhoton(block, [&](const Photon& photon) { collector.add(photon); });
     }
     collector.flush();
-    return true;
-  };
-  pass.run(execution);
+  });
   return changes;
 }
 
@@ -201,23 +198,17 @@ void CellPhotonSets::reserve(const std::vector<Parts>& changes, std::size_t part
 
 void CellPhotonSets::insert(const std::vector<Parts>& changes, Execution& execution)
 {
-  SlicedPass pass{ kParts, {} };
-  pass.work = [&](std::size_t part, const Deadline&) {
+  forEachSliced(kParts, execution, [&](std::size_t part) {
     reserve(changes, part);
     forEach(changes, part, [](const Change& change) { change.set->insert(change.photon); });
-    return true;
-  };
-  pass.run(execution);
+  });
 }
 
 void CellPhotonSets::remove(const std::vector<Parts>& changes, Execution& execution)
 {
-  SlicedPass pass{ kParts, {} };
-  pass.work = [&](std::size_t part, const Deadline&) {
+  forEachSliced(kParts, execution, [&](std::size_t part) {
     forEach(changes, part, [](const Change& change) { change.set->remove(change.photon); });
-    return true;
-  };
-  pass.run(execution);
+  });
 }
 
 void CellPhotonSets::add(

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rivals/PhotonLocator.h"
 
-#include "Rivals/PhotonMap.h"
+#include "../../PhotonWalks/CountedSurface.h"
+#include "../../PhotonWalks/HistoryPhotons.h"
+#include "Photons/NearestPhotons.h"
+#include "Rivals/PhotonMapField.h"
 
 #include <vtkIdList.h>
 #include <vtkNew.h>
@@ -11,11 +14,11 @@
 #include <vtkStaticPointLocator.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <optional>
 
-using irradiance::Sensor;
-using irradiance::Vector3;
+using namespace irradiance;
 
 namespace
 {
@@ -30,34 +33,31 @@ std::array<float, 3> inFloats(const Vector3& point)
 class PointLocator : public PhotonLocator
 {
 public:
-  explicit PointLocator(const std::vector<Vector3>& points)
-    : points_(points)
+  explicit PointLocator(const IrradianceEngine& engine)
+    : photons_(mapPhotonsOf(engine))
   {
   }
 
   std::vector<double> allSquaredDistances(const Sensor& sensor) const override
   {
     std::vector<double> distances;
-    std::transform(points_.begin(), points_.end(), std::back_inserter(distances),
-      [&](const Vector3& point) { return (point - sensor.position).squaredNorm(); });
+    for (const PhotonMap::Photon& photon : photons_)
+    {
+      const auto& [x, y, z] = photon.position;
+      distances.push_back((Vector3(x, y, z) - sensor.position).squaredNorm());
+    }
     return distances;
   }
 
-private:
-  std::vector<Vector3> points_;
+protected:
+  std::vector<PhotonMap::Photon> photons_;
 };
 
+/// Jensen's.
 class PhotonMapLocator : public PointLocator
 {
 public:
-  PhotonMapLocator(const std::vector<Vector3>& points, double power)
-    : PointLocator(points)
-  {
-    std::transform(
-      points.begin(), points.end(), std::back_inserter(photons_), [power](const Vector3& point) {
-        return PhotonMap::Photon{ inFloats(point), static_cast<float>(power), {} };
-      });
-  }
+  using PointLocator::PointLocator;
 
   void build() override { map_.emplace(photons_); }
 
@@ -75,7 +75,6 @@ public:
   }
 
 private:
-  std::vector<PhotonMap::Photon> photons_;
   std::optional<PhotonMap> map_;
   std::vector<PhotonMap::Neighbour> found_;
 };
@@ -83,21 +82,21 @@ private:
 class VtkLocator : public PointLocator
 {
 public:
-  explicit VtkLocator(const std::vector<Vector3>& points)
-    : PointLocator(points)
+  explicit VtkLocator(const IrradianceEngine& engine)
+    : PointLocator(engine)
   {
     vtkNew<vtkPoints> own; // in floats
-    for (const Vector3& point : points)
+    for (const PhotonMap::Photon& photon : photons_)
     {
-      own->InsertNextPoint(point.data());
+      own->InsertNextPoint(photon.position.data());
     }
-    photons_->SetPoints(own);
-    locator_->SetDataSet(photons_);
+    points_->SetPoints(own);
+    locator_->SetDataSet(points_);
   }
 
   void build() override
   {
-    photons_->Modified(); // else it would stay as it is
+    points_->Modified(); // else it would stay as it is
     vtkSMPTools::LocalScope(
       vtkSMPTools::Config{ 1, "Sequential", false }, [this] { locator_->BuildLocator(); });
   }
@@ -114,28 +113,107 @@ public:
     for (vtkIdType i = 0; i < found_->GetNumberOfIds(); ++i)
     {
       Vector3 photon;
-      photons_->GetPoint(found_->GetId(i), photon.data());
+      points_->GetPoint(found_->GetId(i), photon.data());
       distances.push_back((photon - point_).squaredNorm());
     }
     return distances;
   }
 
 private:
-  vtkNew<vtkPolyData> photons_;
+  vtkNew<vtkPolyData> points_;
   vtkNew<vtkStaticPointLocator> locator_;
   vtkNew<vtkIdList> found_;
   Vector3 point_;
 };
 
+class LeafLocator : public PhotonLocator
+{
+public:
+  LeafLocator(IrradianceEngine& engine, IrradianceEngine& other)
+    : engines_{ &engine, &other }
+  {
+    for (IrradianceEngine* each : engines_)
+    {
+      each->collectPhotons(execution_); // finds the sides of all photons
+      photons_.push_back(test::photonsOf(test::onlySet(*each).history()));
+    }
+    changes_ = { test::changesBetween(photons_[1], photons_[0]),
+      test::changesBetween(photons_[0], photons_[1]) };
+    leaves_ = LeafPhotons(engine.objects());
+    leaves_.add(history(), 0, history().size(), execution_);
+    surfaces_.update(engine.objects());
+    search_.emplace(leaves_, surfaces_, engine.objects(), history());
+  }
+
+  void build() override
+  {
+    frame_ = 1 - frame_;
+    leaves_.apply(objects(), history(), changes_[frame_], execution_);
+    surfaces_.update(objects());
+    search_.emplace(leaves_, surfaces_, objects(), history());
+  }
+
+  void find(const Sensor& sensor, std::size_t count) override
+  {
+    const Foot foot = search_->footOf(sensor).value();
+    sensor_ = foot.sensor;
+    found_ = search_->find(foot, count);
+  }
+
+  std::vector<double> squaredDistances() const override
+  {
+    std::vector<double> distances;
+    for (const SegmentRef& photon : found_.photons)
+    {
+      distances.push_back(search_->squaredDistance(sensor_, photon));
+    }
+    return distances;
+  }
+
+  std::vector<double> allSquaredDistances(const Sensor& sensor) const override
+  {
+    const test::CountedSurface surface(objects());
+    const Foot foot = surface.footOf(sensor).value();
+    std::vector<double> distances;
+    for (const Photon& photon : photons_[frame_])
+    {
+      if (surface.counts(foot, photon.id, photon.isFront ? 1 : -1))
+      {
+        distances.push_back(search_->squaredDistance(foot.sensor, photon.reference));
+      }
+    }
+    return distances;
+  }
+
+private:
+  const SceneObjects& objects() const { return engines_[frame_]->objects(); }
+  const WalkHistory& history() const { return test::onlySet(*engines_[frame_]).history(); }
+
+  Execution execution_;
+  std::array<IrradianceEngine*, 2> engines_;
+  std::vector<std::vector<Photon>> photons_; ///< by frame
+  std::array<PhotonChanges, 2> changes_;     ///< that lead to this frame
+  std::size_t frame_ = 0;
+  LeafPhotons leaves_;
+  Surfaces surfaces_;
+  std::optional<NearestPhotons> search_;
+  Sensor sensor_; ///< on its foot
+  NearPhotons found_;
+};
+
 }
 
-std::unique_ptr<PhotonLocator> makePhotonMapLocator(
-  const std::vector<Vector3>& points, double power)
+std::unique_ptr<PhotonLocator> makePhotonMapLocator(const IrradianceEngine& engine)
 {
-  return std::make_unique<PhotonMapLocator>(points, power);
+  return std::make_unique<PhotonMapLocator>(engine);
 }
 
-std::unique_ptr<PhotonLocator> makeVtkLocator(const std::vector<Vector3>& points)
+std::unique_ptr<PhotonLocator> makeVtkLocator(const IrradianceEngine& engine)
 {
-  return std::make_unique<VtkLocator>(points);
+  return std::make_unique<VtkLocator>(engine);
+}
+
+std::unique_ptr<PhotonLocator> makeLeafLocator(IrradianceEngine& engine, IrradianceEngine& other)
+{
+  return std::make_unique<LeafLocator>(engine, other);
 }

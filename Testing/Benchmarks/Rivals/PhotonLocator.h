@@ -24,12 +24,11 @@ public:
   virtual std::vector<double> allSquaredDistances(const irradiance::Sensor& sensor) const = 0;
 };
 
-/// Jensen's photon map, see PhotonMap. `points`: of the photons, in the world.
-std::unique_ptr<PhotonLocator> makePhotonMapLocator(
-  const std::vector<irradiance::Vector3>& points, double power);
+/// Jensen's photon map, see PhotonMap, of an engine that keeps photons.
+std::unique_ptr<PhotonLocator> makePhotonMapLocator(const irradiance::IrradianceEngine& engine);
 
 /// vtkStaticPointLocator on one thread.
-std::unique_ptr<PhotonLocator> makeVtkLocator(const std::vector<irradiance::Vector3>& points);
+std::unique_ptr<PhotonLocator> makeVtkLocator(const irradiance::IrradianceEngine& engine);
 
 /// Photons in the leaf cells of the ray-casting trees. Nothing is built again: a frame is a step
 /// from one engine's scene to the other's, or back, and only the photons that differ are moved. The

@@ -2,7 +2,7 @@
 #include "Rivals/PhotonMapField.h"
 
 #include "../../PhotonWalks/HistoryPhotons.h"
-#include "Walks/StoredWalks.h"
+#include "Walks/WalkSets.h"
 
 using namespace irradiance;
 

@@ -6,6 +6,8 @@
 
 #include <embree3/rtcore.h>
 
+#include <vector>
+
 /// The triangles of a plain scene in one tree of Embree's high quality, for one thread.
 class PlainEmbree
 {
@@ -23,5 +25,13 @@ private:
   RTCDevice device_;
   RTCScene scene_;
 };
+
+/**
+ * Whether light may reach the back of each cell. A back from which no ray of a few hits a front is
+ * taken for the inside of a closed body or the outside of a room, which a user who bakes light
+ * would leave out. That is a guess; where it is wrong, answers differ from those of a tracer that
+ * shoots.
+ */
+std::vector<char> findOpenCells(const PlainScene& scene, const PlainEmbree& embree);
 
 #endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rivals/PlainGatherer.h"
 
-#include "Rivals/OpenCells.h"
 #include "Rivals/PlainPackets.h"
 #include "Rivals/SobolNumbers.h"
 #include "Rivals/XorShift.h"

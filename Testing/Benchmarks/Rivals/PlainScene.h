@@ -70,4 +70,30 @@ struct PlainScene
 /// Throws std::invalid_argument for what a plain tracer does not know: colours.
 PlainScene makePlainScene(const irradiance::SceneObjects& objects);
 
+/// A triangle to draw points from: origin + s u + t v for 0 <= t <= s <= 1.
+struct PlainPatch
+{
+  PlainScene::Vector origin; ///< the first corner
+  PlainScene::Vector u, v;   ///< from the first corner to the second, from there to the third
+  PlainScene::Vector normal; ///< to the front, of unit length
+};
+
+/// `offset`: m, that the patch is to lie off the triangle, on its front.
+PlainPatch makePatch(const PlainScene::Triangle& triangle, float offset);
+
+/// m2
+double areaOf(const PlainPatch& patch);
+
+/// Where light starts, a little off the surface. A point light is a patch without extent or normal.
+struct PlainSource : PlainPatch
+{
+  float density; ///< 1/m2, of points drawn by flux from all lights; 0 of a point light
+};
+
+/// In the order of the lights, then of the point lights.
+std::vector<PlainSource> makeSources(const PlainScene& scene);
+
+/// In the same order, W. Throws std::invalid_argument if there is no light.
+std::vector<double> fluxesOf(const PlainScene& scene);
+
 #endif

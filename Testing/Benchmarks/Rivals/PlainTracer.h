@@ -4,7 +4,6 @@
 
 #include "Rivals/AliasTable.h"
 #include "Rivals/PlainEmbree.h"
-#include "Rivals/PlainSource.h"
 
 #include <vector>
 

@@ -28,6 +28,10 @@ struct BenchmarkScene
 /// meshes are not there.
 std::optional<BenchmarkScene> makeRoomScene(bool isLarge);
 
+/// Its large scene with materials: a lamp lights the room from its place there, each quad of the
+/// walls and each triangle of the dragon is a cell.
+std::optional<irradiance::SceneObjects> makeDragonRoom();
+
 /// 100,000 triangles at random with edges of 0.03 of the cube that they fill, one half static, the
 /// other half one dynamic object. `isFlattened`: each dynamic triangle is on its own.
 BenchmarkScene makeRandomScene(bool isFlattened = false);

@@ -60,7 +60,7 @@ TradeScene makeBox()
   room.addBox(test::box({ 0, 0, 0 }, { 4, 4, 4 }), 6, test::grey(0.5), true);
   room.addQuad({ 1, 1, 3.75 }, { 0, 2, 0 }, { 2, 0, 0 }, 4, 4, test::grey(0.5, 100));
   thing.addBox(test::box({ -0.5, -0.4, -0.3 }, { 0.5, 0.4, 0.3 }), 2, test::grey(0.7));
-  return { { "box", { room.build(), { thing.build() } }, circling({ 2, 2, 2 }, 1) }, { 4, 4 } };
+  return { { "box", { room.build(), { thing.build() } }, circling({ 2, 2, 2 }, 1) } };
 }
 
 /// Each wall cell shines with 1 - its reflectance. What reflects all light emits none, so that it
@@ -78,14 +78,14 @@ TradeScene makeFurnace()
   }
   thing.addSphere({ 0, 0, 0 }, 0.6, 6, test::grey(1));
   return { { "furnace", { room.build(), { thing.build() } }, circling({ 2, 1.5, 2.5 }, 0.7) },
-    { 6, 3 }, true };
+    true };
 }
 
 }
 
 std::vector<TradeScene> makeTradeScenes(const std::string& head)
 {
-  std::vector<TradeScene> scenes = { { makeMovingTeapot(head, 1, true), { 4, 4 } }, makeBox(),
+  std::vector<TradeScene> scenes = { { makeMovingTeapot(head, 1, true) }, makeBox(),
     makeFurnace() };
   for (TradeScene& scene : scenes)
   {

@@ -4,20 +4,9 @@
 
 #include "Scenes/MovingTeapotScene.h"
 
-/// Into how many strata, as powers of two, the samples with which walks start are cut to make
-/// groups of like walks: that which chooses the light, and each of the two that choose the
-/// direction.
-struct StartStrata
-{
-  int emitterBits, directionBits;
-
-  std::uint32_t numberOfGroups() const { return 1u << (emitterBits + 2 * directionBits); }
-};
-
 /// A scene in which speed is traded for accuracy. Every triangle is a cell.
 struct TradeScene : MovingScene
 {
-  StartStrata strata;
   bool isFurnace = false; ///< the truth is 1 W/m2 everywhere
 };
 

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Output/SensorLight.h"
+
+#include "Data/ArrayNames.h"
+#include "Execution/SlicedPass.h"
+#include "IrradianceEngine.h"
+#include "Photons/NearestEstimate.h"
+#include "Pipeline/WalkMemory.h"
+#include "Views/SensorFinalGather.h"
+
+#include "vtkDataSet.h"
+#include "vtkIdTypeArray.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <sstream>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// "2 of 5 sensors lie farther than `where`: the first is point 1 at (...). Their `what`"; empty if
+/// none is lost.
+std::string textOfLost(const std::vector<Sensor>& sensors, const std::vector<char>& areLost,
+  const std::string& where, const std::string& what)
+{
+  const auto lost = std::find(areLost.begin(), areLost.end(), char{ 1 });
+  if (lost == areLost.end())
+  {
+    return {};
+  }
+  const auto first = static_cast<std::size_t>(lost - areLost.begin());
+  const Vector3& position = sensors[first].position;
+  std::ostringstream message;
+  message << std::count(areLost.begin(), areLost.end(), char{ 1 }) << " of " << sensors.size()
+          << " sensors lie farther than " << where << ": the first is point " << first << " at ("
+          << position[0] << ", " << position[1] << ", " << position[2] << "). Their " << what;
+  return message.str();
+}
+
+/// The arrays of what the nearest photons tell.
+struct NearestArrays
+{
+  NearestArrays(vtkDataSet* output, int bands)
+    : irradiances(addArray<vtkDoubleArray>(
+        output->GetPointData(), irradianceName(), bands, output->GetNumberOfPoints()))
+    , counts(addArray<vtkIdTypeArray>(
+        output->GetPointData(), kNumberOfPhotons, 1, output->GetNumberOfPoints()))
+    , radii(addArray<vtkDoubleArray>(
+        output->GetPointData(), kSearchRadius, 1, output->GetNumberOfPoints()))
+  {
+    output->GetPointData()->SetActiveScalars(irradianceName().c_str());
+  }
+
+  vtkSmartPointer<vtkDoubleArray> irradiances;
+  vtkSmartPointer<vtkIdTypeArray> counts;
+  vtkSmartPointer<vtkDoubleArray> radii;
+};
+
+}
+
+LightArrays addGatheredLight(vtkDataSet* output, int bands, bool haveNormals, bool haveErrors)
+{
+  const std::string name = haveNormals ? irradianceName() : kFluenceRate;
+  vtkPointData* points = output->GetPointData();
+  const LightArrays arrays(points, name, bands, output->GetNumberOfPoints(), haveErrors);
+  points->SetActiveScalars(name.c_str());
+  return arrays;
+}
+
+std::string gatherLight(
+  const SensorRun& run, const LightArrays& arrays, std::uint32_t rays, StoredSensors& stored)
+{
+  stored.update(
+    run.engine, run.sensors, rays, mayKeepRays(run.sensors.size(), rays), run.execution);
+  std::vector<char> areLost;
+  vtkIdType unknown = 0; // errors, of values that are known
+  for (const SensorFinalGather::Light& light : stored.lights())
+  {
+    arrays.set(static_cast<vtkIdType>(areLost.size()), light);
+    areLost.push_back(std::isnan(light.value[0]) ? 1 : 0);
+    const auto* const errors = light.standardError.data();
+    const bool isUnknown = std::any_of(
+      errors, errors + arrays.bands(), [](double number) { return std::isnan(number); });
+    unknown += areLost.back() == 0 && isUnknown ? 1 : 0;
+  }
+  if (arrays.haveErrors())
+  {
+    addTuple<vtkIdTypeArray>(run.output->GetFieldData(), kNumberOfUnknownErrors, { unknown });
+  }
+  return textOfLost(run.sensors, areLost, "a million sizes of the scene from it",
+    "values are NaN, as rounding would tell what they see");
+}
+
+void addNearestLight(vtkDataSet* output, int bands)
+{
+  NearestArrays(output, bands);
+}
+
+std::string measureNearestLight(
+  const SensorRun& run, std::uint32_t photons, double maximumRadius, double maximumDistance)
+{
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  constexpr std::size_t kUnit = 64; // sensors
+  IrradianceEngine& engine = *run.engine;
+  const int bands = engine.objects().staticObject.material->bands;
+  const NearestArrays arrays(run.output, bands);
+  engine.collectPhotons(run.execution);
+  engine.prepareSurfaces(run.execution);
+  const NearestPhotons nearest = engine.nearestPhotons();
+  const double distance = maximumDistance > 0 ? maximumDistance : usualDistance(nearest);
+  const double radius = maximumRadius > 0 ? maximumRadius : usualRadius(nearest, photons);
+  const std::deque<PointDirectLight> lights = gatheredLightsOf(engine);
+  std::vector<char> areLost(run.sensors.size());
+  forEachSliced((run.sensors.size() + kUnit - 1) / kUnit, run.execution, [&](std::size_t unit) {
+    for (std::size_t i = unit * kUnit; i < std::min((unit + 1) * kUnit, areLost.size()); ++i)
+    {
+      const auto point = static_cast<vtkIdType>(i);
+      const std::optional<Foot> foot = nearest.footOf(run.sensors[i], distance);
+      const NearestEstimate estimate = foot ? nearestEstimate(nearest, *foot, photons, radius)
+                                            : NearestEstimate{ {}, 0, kUnknown, 0 };
+      areLost[i] = foot ? 0 : 1;
+      const Bands direct = foot ? directLightAt(*foot, i, lights, engine.scene()) : Bands{};
+      for (int band = 0; band < bands; ++band)
+      {
+        arrays.irradiances->SetTypedComponent(point, band,
+          estimate.area > 0 ? direct[static_cast<std::size_t>(band)] +
+              engine.watts(estimate.power[band]) / estimate.area
+                            : kUnknown);
+      }
+      arrays.counts->SetTypedComponent(point, 0, static_cast<vtkIdType>(estimate.found));
+      arrays.radii->SetTypedComponent(point, 0, estimate.radius);
+    }
+  });
+  std::ostringstream where;
+  where << distance << " m from a surface that faces as they do";
+  return textOfLost(run.sensors, areLost, where.str(),
+    "Irradiance is NaN, as the photons on surfaces tell nothing of sensors in the air: Estimate "
+    "Gathered measures there. MaximumDistance says how far from a surface sensors may lie");
+}
+
+}
