@@ -8,19 +8,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <vector>
-
-// Sanitizers make tests about ten times slower, so they do less there.
-#ifndef VTKIRRADIANCE_IS_SANITIZED
-#define VTKIRRADIANCE_IS_SANITIZED 0
-#endif
 
 namespace irradiance::test
 {
 
-constexpr bool kIsSanitized = VTKIRRADIANCE_IS_SANITIZED != 0;
+/// Sanitizers make tests about ten times slower, so they do less there.
+#if defined(VTKIRRADIANCE_IS_SANITIZED)
+constexpr bool kIsSanitized = true;
+#else
+constexpr bool kIsSanitized = false;
+#endif
 
 /// `count` in an ordinary build, a twelfth of it with sanitizers, at least 1.
 constexpr std::uint32_t scaled(std::uint32_t count)
@@ -59,15 +58,6 @@ struct Shoot : EngineSettings
   /// On each rank, and with notes of what was repaired.
   Shoot& keptByAll() { return allOnEachRank = listRepaired = true, kept(); }
 };
-
-/// Of an engine whose photons can be collected.
-inline EngineSettings keepingPhotons(std::uint32_t walks)
-{
-  EngineSettings settings;
-  settings.numberOfWalks = walks;
-  settings.keepPhotons = true;
-  return settings;
-}
 
 /// Numbers to the bit.
 using Answer = std::vector<std::int64_t>;
@@ -136,10 +126,11 @@ Answer answerOf(const Walks& walks, const SceneObjects& objects, bool separateSi
   return answer;
 }
 
-/// With a first frame.
+/// With a first frame, if there is one already. Serial, unless it is told otherwise.
 class UpdatedEngine : public IrradianceEngine
 {
 public:
+  UpdatedEngine() = default;
   UpdatedEngine(const SceneObjects& objects, const EngineSettings& settings, Execution& execution)
   {
     update(objects, settings, execution);
@@ -149,12 +140,72 @@ public:
     : UpdatedEngine(objects, settings, execution)
   {
   }
+  using IrradianceEngine::update;
+  void update(const SceneObjects& objects, const EngineSettings& settings)
+  {
+    Execution serial;
+    update(objects, settings, serial);
+  }
 };
 
 /// The answer of a new engine.
 inline Answer freshAnswer(const SceneObjects& objects, const EngineSettings& settings)
 {
   return answerOf(UpdatedEngine(objects, settings), objects, settings.separateSides);
+}
+
+/// Law 1: the answer of an engine is that of a new one.
+inline bool isAsFresh(const IrradianceEngine& engine)
+{
+  return answerOf(engine, engine.objects(), engine.settings().separateSides) ==
+    freshAnswer(engine.objects(), engine.settings());
+}
+
+/// The engine's whole answer, and the bits of all that it says of cells: irradiance, stale
+/// irradiance and standard errors.
+inline Answer shownAnswer(const IrradianceEngine& engine)
+{
+  const bool separateSides = engine.settings().separateSides;
+  Answer answer = answerOf(engine, engine.objects(), separateSides);
+  const ErrorEstimate errors = engine.errorEstimate();
+  forEachSide(engine.objects(), separateSides, [&](const CellSide& side, int band) {
+    addBits(answer, engine.irradiance(side, band));
+    addBits(answer, engine.staleIrradiance(side, band));
+    addBits(answer, errors.standardError(side, band));
+  });
+  addBits(answer, engine.reachedRelativeError());
+  answer.push_back(engine.numberOfWalks());
+  return answer;
+}
+
+/// Law 1 for all that is said of cells.
+inline bool isShownAsFresh(const IrradianceEngine& engine)
+{
+  return shownAnswer(engine) == shownAnswer(UpdatedEngine(engine.objects(), engine.settings()));
+}
+
+constexpr double kNoTime = 1e-9; ///< s; a budget that is over when it begins
+
+/// Walks.
+inline std::size_t numberOfStale(const IrradianceEngine& engine)
+{
+  std::size_t count = 0;
+  for (const WalkSet& set : engine.walks().sets())
+  {
+    count += set.stale() ? set.stale()->numberOfUnborn() : 0;
+    for (std::size_t block = 0; set.stale() && block < set.stale()->numberOfBlocks(); ++block)
+    {
+      count += set.stale()->marks(block).size();
+    }
+  }
+  return count;
+}
+
+inline void expectBalance(const IrradianceEngine& engine)
+{
+  Power sum = engine.balance().absorbed;
+  sum += engine.balance().escaped;
+  EXPECT_EQ(sum.quanta, engine.balance().emitted.quanta);
 }
 
 /// Watts on cells [first, last) of an object.
@@ -190,17 +241,43 @@ public:
     return (mean_ - truth) / (standardError() + 1e-12 * std::abs(truth));
   }
 
-  void print(const char* name, double truth) const
-  {
-    std::printf("%-28s %12.8g, true %12.8g, off by %+.4f %%, t %+.2f\n", name, mean_, truth,
-      100 * (mean_ / truth - 1), t(truth));
-  }
-
 private:
   int count_ = 0;
   double mean_ = 0;
   double squares_ = 0;
 };
+
+/// Calls use(engine) with a first frame of so many seeds, from that of the settings on.
+template <class Use>
+void overSeeds(const SceneObjects& objects, int seeds, EngineSettings settings, const Use& use,
+  Execution&& execution = Execution())
+{
+  settings.verify = false;
+  for (int i = 0; i < seeds; ++i, ++settings.seed)
+  {
+    const UpdatedEngine engine(objects, settings, execution);
+    expectBalance(engine);
+    use(engine);
+  }
+}
+
+/// Tests that hold however direct light is known: shot, or gathered.
+class BothModes : public testing::TestWithParam<bool>
+{
+protected:
+  static bool isGathered() { return GetParam(); }
+
+  template <class Use>
+  static void overSeeds(const SceneObjects& objects, int seeds, std::uint32_t walks, const Use& use)
+  {
+    test::overSeeds(objects, seeds, Shoot(walks).gathered(isGathered()), use);
+  }
+};
+
+inline std::string nameOfMode(const testing::TestParamInfo<bool>& info)
+{
+  return info.param ? "Gathered" : "Shot";
+}
 
 /// The value that chi-square with `freedom` degrees exceeds as often as a normal variable exceeds
 /// `z` (Wilson and Hilferty 1931).
@@ -209,6 +286,43 @@ inline double chiSquareLimit(double freedom, double z)
   const double part = 2 / (9 * freedom);
   return freedom * std::pow(1 - part + z * std::sqrt(part), 3);
 }
+
+/// Counts the 95 % intervals that hold a truth.
+class IntervalCount
+{
+public:
+  explicit IntervalCount(std::uint32_t replicates)
+    : factor_(ErrorEstimate::confidenceFactor(replicates))
+  {
+  }
+
+  /// `off`: the estimate less the truth. An error that is not known is no interval.
+  void add(double off, double standardError)
+  {
+    ++all_;
+    if (!std::isnan(standardError))
+    {
+      ++known_;
+      least_ = std::min(least_, standardError);
+      held_ += std::abs(off) <= factor_ * standardError ? 1 : 0;
+      squares_ += std::pow(off / standardError, 2);
+    }
+  }
+
+  double shareKnown() const { return known_ / all_; }
+  double shareThatHolds() const { return held_ / known_; }
+
+  /// At least 90 % hold it, and errors are not much smaller than claimed.
+  void expectHonest() const
+  {
+    EXPECT_GT(least_, 0);
+    EXPECT_GT(shareThatHolds(), 0.9);
+    EXPECT_GT(squares_ / known_, 0.25) << "nor much too wide";
+  }
+
+private:
+  double factor_, least_ = kInfinity, squares_ = 0, all_ = 0, known_ = 0, held_ = 0;
+};
 
 }
 

@@ -427,7 +427,7 @@ std::vector<Feature> features()
 
 Answer FilmRun::told(const Asking& asking) const
 {
-  Answer answer = shownAnswer(*engine_, engine_->objects(), engine_->settings());
+  Answer answer = shownAnswer(*engine_);
   const double watts = engine_->watts(engine_->balance().emitted.total());
   addBits(answer, watts / (asking.unit * asking.unit));
   expectBalance(*engine_);

@@ -5,6 +5,7 @@
 #include "EngineRun.h"
 #include "Scene/Scene.h"
 #include "Shooting/WalkStages.h"
+#include "Shooting/WalkTracer.h"
 
 #include <algorithm>
 #include <functional>
@@ -25,6 +26,7 @@ public:
     , samples_(seed, plan.replicates())
     , triangles_(objects_)
     , stages_(objects_, triangles_, lights_, samples_)
+    , tracer_(scene_, objects_, triangles_, lights_, samples_)
   {
     scene_.setStatic(objects_.staticObject.body);
     scene_.setDynamic(objects_.dynamicBodies());
@@ -41,6 +43,7 @@ public:
   const SceneTriangles& triangles() const { return triangles_; }
   const WalkStages& stages() const { return stages_; }
   const Scene& scene() const { return scene_; }
+  const WalkTracer& tracer() const { return tracer_; }
 
   /// Makes room for these walks and numbers them.
   void enter(WalkFront& front, std::uint32_t first, std::uint32_t count) const
@@ -83,10 +86,17 @@ public:
   /// Who watches the walks sees each front before its rays are cast and after.
   using Watch = std::function<void(const WalkFront&)>;
 
-  /// Takes these walks from their lights to their ends, so many at a time.
-  void shoot(std::uint32_t first, std::uint32_t end, std::uint32_t together, FrontTally& tally,
-    const Watch& leaving = {}, const Watch& arriving = {}) const
+  /// `expected`: photons.
+  FrontTally tallyFor(CellSums& sums, PowerBalance& balance, std::size_t expected) const
   {
+    return FrontTally(triangles_, sums, balance, stages_.powerPerWalk(), expected);
+  }
+
+  /// Takes all walks of the plan from their lights to their ends, so many at a time.
+  void shoot(std::uint32_t together, FrontTally& tally, const Watch& leaving = {},
+    const Watch& arriving = {}) const
+  {
+    const std::uint32_t first = plan_.rounds().front().firstWalk, end = plan_.endWalk();
     struct
     {
       WalkFront now, next;
@@ -125,27 +135,7 @@ private:
   SceneTriangles triangles_;
   WalkStages stages_;
   Scene scene_;
-};
-
-/// All walks of a world's plan, shot by its stages.
-class FrontRun
-{
-public:
-  FrontRun(const FrontWorld& world, std::uint32_t together)
-    : sums_(world.objects(), world.plan(), world.plan().rounds().size())
-  {
-    const std::uint32_t first = world.plan().rounds().front().firstWalk;
-    FrontTally tally(world.triangles(), sums_, balance_, world.stages().powerPerWalk(),
-      std::size_t{ 4 } * world.plan().most());
-    world.shoot(first, world.plan().endWalk(), together, tally);
-  }
-
-  const CellSums& sums() const { return sums_; }
-  const PowerBalance& balance() const { return balance_; }
-
-private:
-  CellSums sums_;
-  PowerBalance balance_;
+  WalkTracer tracer_;
 };
 
 }

@@ -2,15 +2,23 @@
 #ifndef irradiance_test_HistoryPhotons_h
 #define irradiance_test_HistoryPhotons_h
 
-#include "History/WalkHistory.h"
+#include "IrradianceEngine.h"
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 #include <tuple>
 #include <vector>
 
 namespace irradiance::test
 {
+
+/// The set of walks of an engine with one group of lights.
+inline const WalkSet& onlySet(const IrradianceEngine& engine)
+{
+  assert(engine.walks().sets().size() == 1);
+  return engine.walks().sets().front();
+}
 
 /// All photons, in the order of their references.
 inline std::vector<Photon> photonsOf(const WalkHistory& history)

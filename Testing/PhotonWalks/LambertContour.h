@@ -2,7 +2,7 @@
 #ifndef irradiance_test_LambertContour_h
 #define irradiance_test_LambertContour_h
 
-#include "Geometry/Vector.h"
+#include "Geometry/Triangle.h"
 
 #include <cmath>
 #include <vector>
@@ -27,6 +27,23 @@ inline double lambertIrradiance(
     }
   }
   return std::abs(sum) / (2 * M_PI);
+}
+
+/// Of a triangle as seen from a place. Van Oosterom and Strackee, "The Solid Angle of a Plane
+/// Triangle" (1983).
+inline double solidAngleOf(const Triangle& triangle, const Vector3& from)
+{
+  using Long3 = Eigen::Matrix<long double, 3, 1>;
+  const Long3 place = from.cast<long double>();
+  const Long3 a = triangle.a.cast<long double>() - place;
+  const Long3 b = triangle.b.cast<long double>() - place;
+  const Long3 c = triangle.c.cast<long double>() - place;
+  const Long3 toB = triangle.b.cast<long double>() - triangle.a.cast<long double>();
+  const Long3 toC = triangle.c.cast<long double>() - triangle.a.cast<long double>();
+  const long double la = a.norm(), lb = b.norm(), lc = c.norm();
+  return static_cast<double>(2 *
+    std::atan2(std::abs(a.dot(toB.cross(toC))),
+      la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb));
 }
 
 /// The part of a convex polygon that lies above the horizon of a normal at a point; none of one

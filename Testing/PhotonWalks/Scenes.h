@@ -2,7 +2,7 @@
 #ifndef irradiance_test_Scenes_h
 #define irradiance_test_Scenes_h
 
-#include "DirectRuns.h"
+#include "TestScenes.h"
 
 #include "../RayCasting/RandomVectors.h"
 
@@ -40,6 +40,19 @@ inline void addPanel(
   ObjectBuilder& room, const Vector3& corner, double x, double y, double exitance)
 {
   room.addQuad(corner, { 0, y, 0 }, { x, 0, 0 }, 1, 1, grey(0, exitance));
+}
+
+/// Four tubes of many facets just below a ceiling at 3 m.
+inline void addTubes(ObjectBuilder& room)
+{
+  for (int tube = 0; tube < 4; ++tube)
+  {
+    room.addGrid(12, 4, grey(0.5, 100), [&](int i, int j) {
+      const double angle = M_PI / 6 * (i % 12);
+      return Vector3(
+        0.8 + 0.6 * j, 0.5 + tube + 0.02 * std::cos(angle), 2.85 + 0.02 * std::sin(angle));
+    });
+  }
 }
 
 /// A panel of 1.2 x .8 m below the ceiling: a cell more than the walls.
@@ -81,6 +94,15 @@ inline SceneObjects inTwoGroups(const SceneObjects& objects)
   return grouped;
 }
 
+/// Every cell emits what it does not reflect, 1 - reflectance, so E = 1 everywhere.
+inline SceneObject furnace(ObjectBuilder builder, double reflectance, const AffineMap& pose = {})
+{
+  std::vector<double>& ofCells = builder.material().reflectance;
+  std::fill(ofCells.begin(), ofCells.end(), reflectance);
+  builder.emission().exitance.assign(ofCells.size(), 1 - reflectance);
+  return builder.build(pose);
+}
+
 /// Every cell has a reflectance of its own in each band and emits what it does not reflect, so that
 /// E = 1 everywhere. If `isGlossy`, a part of the reflectance is specular, with lobes from wide to
 /// mirrors.
@@ -113,6 +135,16 @@ inline SceneObject furnace(
   material.setSpecular(specular, chosen);
   object.material = std::make_shared<Material>(material);
   return object;
+}
+
+/// A furnace of 4 x 3 x 5 m, 4 x 4 cells a wall, with a ball of n bands in it.
+inline SceneObjects furnaceWithBall(unsigned seed, int n)
+{
+  RandomVectors random(seed);
+  ObjectBuilder thing;
+  thing.addSphere({ 0, 0, 0 }, 0.8, n, {});
+  const SceneObject room = furnace(plainRoom({ 4, 3, 5 }, 4, {}), random);
+  return { room, { furnace(thing, random, false, shift({ 1.5, 1.2, 2 })) } };
 }
 
 /// A light table of 2 m in the middle of a floor of 6 m, all at z = 0, a lamp in the lid of a box
@@ -150,6 +182,15 @@ inline SceneObjects shadedRoom(double height)
   return shaded;
 }
 
+/// A point light and a ball in a room of 4 m around the origin.
+inline SceneObjects ballInARoom(double ofRoom, double ofBall)
+{
+  ObjectBuilder room;
+  room.addBox(box({ -2, -2, -2 }, { 2, 2, 2 }), 2, grey(ofRoom), true);
+  room.addPointLight({ 1.5, 1.5, 1.5 }, 3);
+  return { room.build(), { ball({ 0, 0, 0 }, 0.7, 4, grey(ofBall)) } };
+}
+
 /// A room of large cells with a lamp on its floor, a statue of small cells, and a coarse and a fine
 /// part that move.
 inline SceneObjects roomWithStatue(const Vector3& corner, int bands = 1)
@@ -182,9 +223,8 @@ struct GatherTestScene
 /// A spot of light that is smaller than the cells of the floor.
 inline SceneObjects spotRoom(int n)
 {
-  ObjectBuilder builder;
-  builder.addBox(box({ 0, 0, 0 }, { 8, 8, 8 }), n, grey(0.6), true);
-  builder.addQuad({ 4.7, 2.7, 1 }, { 0, 0.6, 0 }, { 0.6, 0, 0 }, 1, 1, grey(0, 30));
+  ObjectBuilder builder = plainRoom({ 8, 8, 8 }, n, grey(0.6));
+  addPanel(builder, { 4.7, 2.7, 1 }, 0.6, 0.6, 30);
   return { builder.build(), { ball({ 3.7, 4.9, 3.5 }, 0.7, 4) } };
 }
 
@@ -192,16 +232,16 @@ inline SceneObjects spotRoom(int n)
 /// parts that cross.
 inline std::vector<GatherTestScene> gatherScenes()
 {
+  const SceneObject small = ball({ 2.4, 1.5, 1 }, 0.4, 4);
   ObjectBuilder insideOfFurnace;
   insideOfFurnace.addSphere({ 0, 0, 0 }, 0.5, 4, {});
   std::vector<GatherTestScene> scenes{
     { "furnace",
-      { furnace(plainRoom({ 4, 3, 5 }, 3, {}), 0.6, false),
-        { furnace(insideOfFurnace, 0.7, false, shift({ 1, 1.5, 2 })) } },
+      { furnace(plainRoom({ 4, 3, 5 }, 3, {}), 0.6),
+        { furnace(insideOfFurnace, 0.7, shift({ 1, 1.5, 2 })) } },
       1 },
-    { "area lamp", { litRoom(4).build(), { ball({ 2.4, 1.5, 1 }, 0.4, 4) } } },
-    { "spot", spotRoom(4) },
-    { "gloss", { litRoom(4, 1, 0.4).build(), { ball({ 2.4, 1.5, 1 }, 0.4, 4) } } },
+    { "area lamp", { litRoom(4).build(), { small } } }, { "spot", spotRoom(4) },
+    { "gloss", { litRoom(4, 1, 0.4).build(), { small } } },
     { "bands", { litRoom(4, 3).build(), { ball({ 2.4, 1.5, 1 }, 0.4, 4, grey(0.5), 3) } } },
     { "corner", { litRoom(4).build(), { block({ 0.2, 0.2, 0.2 }, { 0.2, 0.2, 0.2 }, 2) } } },
     { "buried", { litRoom(4).build(), { block({ 2.4, 1.5, 0 }, { 0.3, 0.3, 0.3 }, 2) } } },
@@ -213,20 +253,138 @@ inline std::vector<GatherTestScene> gatherScenes()
   ObjectBuilder points = variedRoom(4), strip = variedRoom(4), sheet;
   points.addPointLight({ 1, 1, 1.5 }, 30);
   points.addPointLight({ 3, 3, 2.5 }, 20);
-  scenes.push_back({ "points", { points.build(), { ball({ 2.4, 1.5, 1 }, 0.4, 4) } } });
+  scenes.push_back({ "points", { points.build(), { small } } });
   strip.addQuad({ 0.5, 1.2, 0.04 }, { 0, 1.6, 0 }, { 0.08, 0, 0.08 }, 1, 1, grey(0, 100));
   scenes.push_back({ "near lamp", { strip.build(), { ball({ 1.9, 2, 0.6 }, 0.4, 4) } } });
   sheet.addQuad({ -0.3, -0.3, 0 }, { 0.6, 0, 0.2 }, { 0, 0.6, 0.1 }, 4, 4, grey(0.5));
-  ObjectBuilder warm;
-  warm.addBox(box({ 0, 0, 0 }, { 4, 4, 3 }), 4, grey(0.5, 2), true);
-  warm.addQuad({ 1.2, 1.6, 2.9 }, { 0, 0.8, 0 }, { 1.2, 0, 0 }, 1, 1, grey(0, 60));
-  scenes.push_back({ "warm walls", { warm.build(), { ball({ 2.4, 1.5, 1 }, 0.4, 4) } } });
+  ObjectBuilder warm = plainRoom({ 4, 4, 3 }, 4, grey(0.5, 2));
+  addPanel(warm, { 1.2, 1.6, 2.9 }, 1.2, 0.8, 60);
+  scenes.push_back({ "warm walls", { warm.build(), { small } } });
   ObjectBuilder bulb = variedRoom(4);
   bulb.addSphere({ 2, 2, 2.8 }, 0.05, 8, grey(0.5, 500));
-  scenes.push_back({ "bulb", { bulb.build(), { ball({ 2.4, 1.5, 1 }, 0.4, 4) } } });
+  scenes.push_back({ "bulb", { bulb.build(), { small } } });
   scenes.push_back({ "sheet", { litRoom(4).build(), { sheet.build(shift({ 2.4, 1.5, 1 })) } } });
   return scenes;
 }
+
+/**
+ * A room of 4 x 4 x 4 m with a lamp and a point light, and six dynamic objects: a rigid box, a
+ * sheared sphere, a mirrored box that sticks through a wall, a sphere that leaves the room and
+ * comes back, one that deforms, and one with isFlattened set. In each frame some of them rest. If
+ * `isGlossy`, the walls have a wide lobe, and the objects are mirrors in part.
+ */
+class MovingScene
+{
+public:
+  static constexpr int kObjects = 6;
+
+  MovingScene(int bands, bool isClosed, unsigned seed, bool isGlossy = false)
+    : bands_(bands)
+    , random_(seed)
+  {
+    if (isGlossy)
+    {
+      wallLook_.specular = { 0.3, 0.2, 0.4 };
+      wallLook_.exponent = 12;
+      objectLook_.specular = { 0.15, 0.7, 0.2 };
+    }
+    ObjectBuilder room(bands);
+    const Box walls = box({ 0, 0, 0 }, { 4, 4, 4 });
+    for (int side = 0; side < (isClosed ? 6 : 5); ++side)
+    {
+      room.addSide(walls, side, 3, wallLook_, true);
+    }
+    room.addQuad({ 1, 1, 3.75 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, { {}, { 3, 2, 1 } });
+    room.addPointLight({ 3, 1, 2 }, 2);
+    objects_.staticObject = room.build();
+    for (int i = 0; i < kObjects; ++i)
+    {
+      objects_.dynamicObjects.push_back(i == 4 ? deformed() : shape(i));
+    }
+    for (int i = 0; i < kObjects; ++i)
+    {
+      move(i);
+    }
+  }
+
+  const SceneObjects& objects() const { return objects_; }
+
+  /// Every object moves with probability 1/2.
+  void nextFrame()
+  {
+    for (int i = 0; i < kObjects; ++i)
+    {
+      if (random_.engine() % 2 == 0)
+      {
+        move(i);
+      }
+    }
+  }
+
+private:
+  SceneObject shape(int i)
+  {
+    ObjectBuilder builder(bands_);
+    if (i % 2 == 0)
+    {
+      builder.addBox(box({ -0.5, -0.4, -0.3 }, { 0.5, 0.4, 0.3 }), 2, objectLook_);
+    }
+    else
+    {
+      builder.addSphere({ 0, 0, 0 }, 0.5, 4, objectLook_);
+    }
+    return builder.build({}, i == 5);
+  }
+
+  /// The same cells with other points.
+  SceneObject deformed()
+  {
+    if (!deformingSurface_)
+    {
+      deformingSurface_ = shape(1).material;
+    }
+    ObjectBuilder builder(bands_);
+    builder.addSphere({ 0, 0, 0 }, random_.uniform(0.2, 0.6), 4, objectLook_);
+    SceneObject object = builder.build();
+    object.material = deformingSurface_;
+    return object;
+  }
+
+  void move(int i)
+  {
+    SceneObject& object = objects_.dynamicObjects[static_cast<std::size_t>(i)];
+    AffineMap& pose = object.worldFromObject;
+    pose.linear = random_.rotation();
+    pose.translation = Vector3(2, 2, 2) + 1.3 * random_.inCube();
+    switch (i)
+    {
+      case 1:
+        pose.linear(0, 1) += random_.uniform(); // shear
+        pose.linear.col(2) *= random_.uniform(0.5, 1.5);
+        break;
+      case 2:
+        pose.linear.col(0) *= -1; // mirrored
+        pose.translation[1] = random_.uniform(-0.2, 0.2);
+        break;
+      case 3:
+        pose.translation[0] += random_.engine() % 2 == 0 ? 100 : 0;
+        break;
+      case 4:
+        object = deformed();
+        object.worldFromObject = shift(Vector3(2, 2, 2) + random_.inCube());
+        break;
+      default:
+        break;
+    }
+  }
+
+  Look wallLook_{ { 0.5, 0.7, 0.3 }, {} };
+  Look objectLook_{ { 0.8, 0.2, 0.6 }, {} };
+  int bands_;
+  RandomVectors random_;
+  SceneObjects objects_;
+  std::shared_ptr<const Material> deformingSurface_;
+};
 
 }
 

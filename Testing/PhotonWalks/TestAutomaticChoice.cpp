@@ -50,19 +50,9 @@ void expectChoice(const Settings& settings, CellEstimate estimate, bool gathersD
 /// 54 cells. `specular`: of its cells.
 ObjectBuilder quadRoom(double specular = 0)
 {
-  ObjectBuilder builder;
   Look look = grey(0.5);
   look.specular[0] = specular;
-  builder.addBox(box({ 0, 0, 0 }, { 3, 3, 3 }), 3, look, true);
-  return builder;
-}
-
-/// n x n cells.
-SceneObject sheet(int n)
-{
-  ObjectBuilder builder;
-  builder.addQuad({ 0, 0, 1 }, { 1, 0, 0 }, { 0, 1, 0 }, n, n, grey(0.5));
-  return builder.build();
+  return plainRoom({ 3, 3, 3 }, 3, look);
 }
 
 // From both sides of a cell: 1.2 times as many as walks at most, but four in any case.
@@ -95,18 +85,18 @@ TEST(AutomaticChoice, ReadsHalfOfTheArea)
   }
 }
 
-TEST(AutomaticChoice, GathersDirectLightOfAsManyCellsAsWalks)
+// The walks that a target takes in the end are not known before.
+TEST(AutomaticChoice, GathersDirectLightOfAsManyCellsAsWalksUnlessItIsToBeShot)
 {
   const SceneObjects objects{ quadRoom().build(), {} };
   expectChoice(chosen(objects, settingsOf(54)), CellEstimate::Spread, true);
   expectChoice(chosen(objects, settingsOf(53)), CellEstimate::Spread, false);
-}
-
-TEST(AutomaticChoice, ShootsWhatIsToBeShot)
-{
-  Settings settings = settingsOf(100000);
+  Settings settings = settingsOf(1000);
+  settings.walks.targetRelativeError = 0.05;
+  settings.walks.replicates = 16;
+  expectChoice(chosen(objects, settings), CellEstimate::Spread, true);
+  settings = settingsOf(100000);
   settings.walks.gathersDirectLight = false;
-  const SceneObjects objects{ quadRoom().build(), {} };
   expectChoice(chosen(objects, settings, { false, true }), CellEstimate::Spread, false);
 }
 
@@ -122,6 +112,12 @@ TEST(AutomaticChoice, KnowsPointLightsBesideGloss)
     expectChoice(chosen({ builder.build(), {} }, settingsOf(100000)),
       specular > 0 ? CellEstimate::Spread : CellEstimate::Gathered, specular == 0);
   }
+  ObjectBuilder light;
+  light.addPointLight({ 1, 1, 1 }, 10);
+  SceneObjects objects{ quadRoom(0.25).build(), { light.build() } };
+  expectChoice(chosen(objects, settingsOf(100000)), CellEstimate::Spread, false);
+  objects.dynamicObjects[0].isPresent = false;
+  expectChoice(chosen(objects, settingsOf(100000)), CellEstimate::Gathered, true);
 }
 
 TEST(AutomaticChoice, HasNothingToReadWithoutBias)
@@ -150,21 +146,13 @@ TEST(AutomaticChoice, KeepsWhatIsAskedFor)
 // What is away has no cells, as if it had never been there.
 TEST(AutomaticChoice, CountsWhatIsThere)
 {
-  SceneObjects objects{ quadRoom().build(), { sheet(100) } };
+  ObjectBuilder sheet;
+  sheet.addQuad({ 0, 0, 1 }, { 1, 0, 0 }, { 0, 1, 0 }, 100, 100, grey(0.5));
+  SceneObjects objects{ quadRoom().build(), { sheet.build() } };
   objects.dynamicObjects[0].worldFromObject.linear *= 10;
   expectChoice(chosen(objects, settingsOf(5000)), CellEstimate::Spread, false);
   objects.dynamicObjects[0].isPresent = false;
   expectChoice(chosen(objects, settingsOf(5000)), CellEstimate::Gathered, true);
-}
-
-TEST(AutomaticChoice, KnowsWhetherAPointLightIsThere)
-{
-  ObjectBuilder light;
-  light.addPointLight({ 1, 1, 1 }, 10);
-  SceneObjects objects{ quadRoom(0.25).build(), { light.build() } };
-  expectChoice(chosen(objects, settingsOf(100000)), CellEstimate::Spread, false);
-  objects.dynamicObjects[0].isPresent = false;
-  expectChoice(chosen(objects, settingsOf(100000)), CellEstimate::Gathered, true);
 }
 
 /// A room that its lamp lights evenly or not, and a part of 900 small cells with so long edges, m.
@@ -217,27 +205,10 @@ TEST(AutomaticChoice, DrawsOnNoPhotonsFromAllOverAPart)
 TEST(AutomaticChoice, DrawsOnPhotonsWhereLampsAreHardToFind)
 {
   ObjectBuilder room;
-  for (int tube = 0; tube < 4; ++tube)
-  {
-    room.addGrid(12, 4, grey(0.5, 100), [&](int i, int j) {
-      const double angle = M_PI / 6 * (i % 12);
-      return Vector3(
-        0.8 + 0.6 * j, 0.5 + tube + 0.02 * std::cos(angle), 2.85 + 0.02 * std::sin(angle));
-    });
-  }
+  addTubes(room);
   expectChoice(chosen(roomWithPart(room, 0.5), settingsOf(100000)), CellEstimate::Spread, false);
   expectChoice(chosen(roomWithPart(room, 0.5), settingsOf(100000), { false, true }),
     CellEstimate::Spread, true);
-}
-
-// The walks that a target takes in the end are not known before.
-TEST(AutomaticChoice, IsThatOfTheWalksToBeginWith)
-{
-  const SceneObjects objects{ quadRoom().build(), {} };
-  Settings settings = settingsOf(1000);
-  settings.walks.targetRelativeError = 0.05;
-  settings.walks.replicates = 16;
-  expectChoice(chosen(objects, settings), CellEstimate::Spread, true);
 }
 
 }

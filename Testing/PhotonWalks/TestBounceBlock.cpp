@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 #include <random>
 
 // Law: a block answers what a plain list of segments for each walk would answer, after any appends
@@ -17,34 +18,13 @@ namespace
 
 constexpr std::uint32_t kFirst = 5 * 1024;
 
-Box unitBox()
+/// What was stored of a walk.
+struct StoredEntry
 {
-  Box box;
-  box.add(Vector3::Constant(-1));
-  box.add(Vector3::Constant(1));
-  return box;
-}
-
-/// What was stored, walk by walk.
-struct Model
-{
-  struct Entry
-  {
-    BounceSegment segment;
-    std::uint32_t slot;
-  };
-  std::vector<std::vector<Entry>> walks;
-
-  std::size_t size() const
-  {
-    std::size_t size = 0;
-    for (const auto& walk : walks)
-    {
-      size += walk.size();
-    }
-    return size;
-  }
+  BounceSegment segment;
+  std::uint32_t slot;
 };
+using StoredEntries = std::vector<StoredEntry>;
 
 /// Applies the same operations to a block and to its model.
 class Twins
@@ -54,20 +34,21 @@ public:
     : random_(seed)
     , bands_(bands)
     , arena_(BounceBlock::pageBytes(bands))
-    , model_{ std::vector<std::vector<Model::Entry>>(walks) }
+    , model_(walks)
   {
-    blocks_.emplace_back(arena_, kFirst, walks, bands, PointGrid(unitBox()), onePower());
+    blocks_.emplace_back(arena_, kFirst, walks, bands,
+      PointGrid(Box{ Vector3::Constant(-1), Vector3::Constant(1) }), onePower());
   }
 
   /// One more segment for each walk of a random share of them; in any order with `isMixed`.
   void append(double share, bool isMixed = false)
   {
     std::vector<BounceSegment> segments;
-    for (std::uint32_t walk = 0; walk < model_.walks.size(); ++walk)
+    for (std::uint32_t walk = 0; walk < model_.size(); ++walk)
     {
       if (uniform() < share)
       {
-        const auto& before = model_.walks[walk];
+        const auto& before = model_[walk];
         segments.push_back(segment(walk, before.empty() ? BounceBlock::kNone : before.back().slot));
       }
     }
@@ -83,14 +64,14 @@ public:
     const std::vector<std::uint32_t> slots = front.appendTo(block());
     for (std::size_t i = 0; i < front.size(); ++i)
     {
-      model_.walks[front[i].walk - kFirst].push_back({ front[i], slots[i] });
+      model_[front[i].walk - kFirst].push_back({ front[i], slots[i] });
     }
   }
 
   /// A random tail of each walk of a random share of them; all of it with `isWhole`.
   void remove(double share, bool isWhole)
   {
-    for (auto& walk : model_.walks)
+    for (auto& walk : model_)
     {
       if (!walk.empty() && uniform() < share)
       {
@@ -112,9 +93,9 @@ public:
   {
     const auto numberOf = [](std::uint32_t triangle) { return triangle / 2; };
     block().renumber(numberOf);
-    for (auto& walk : model_.walks)
+    for (auto& walk : model_)
     {
-      for (Model::Entry& entry : walk)
+      for (StoredEntry& entry : walk)
       {
         std::uint32_t& triangle = entry.segment.triangle;
         triangle = triangle == BounceBlock::kNone ? triangle : numberOf(triangle);
@@ -128,10 +109,10 @@ public:
   void expectEqual() const
   {
     std::vector<std::uint32_t> used;
-    for (std::uint32_t i = 0; i < model_.walks.size(); ++i)
+    for (std::uint32_t i = 0; i < model_.size(); ++i)
     {
       ASSERT_NO_FATAL_FAILURE(expectEqualWalk(i));
-      for (const Model::Entry& entry : model_.walks[i])
+      for (const StoredEntry& entry : model_[i])
       {
         used.push_back(entry.slot);
       }
@@ -145,7 +126,11 @@ public:
   BounceBlock& block() { return blocks_.front(); }
   const BounceBlock& block() const { return blocks_.front(); }
   const BlockArena& arena() const { return arena_; }
-  std::size_t segments() const { return model_.size(); }
+  std::size_t segments() const
+  {
+    return std::accumulate(model_.begin(), model_.end(), std::size_t{ 0 },
+      [](std::size_t sum, const StoredEntries& walk) { return sum + walk.size(); });
+  }
 
 private:
   static Power onePower()
@@ -155,7 +140,7 @@ private:
     return power;
   }
   /// Each segment is visited while all are there.
-  void removeAndVisit(const std::vector<Model::Entry>& walk, std::size_t first)
+  void removeAndVisit(const StoredEntries& walk, std::size_t first)
   {
     std::size_t at = first;
     block().removeFrom(walk[first].slot, [&](std::uint32_t slot) {
@@ -198,7 +183,7 @@ private:
 
   void expectEqualWalk(std::uint32_t i) const
   {
-    const auto& walk = model_.walks[i];
+    const auto& walk = model_[i];
     const std::uint32_t number = kFirst + i;
     ASSERT_EQ(block().begin(number), walk.empty() ? BounceBlock::kNone : walk.front().slot);
     ASSERT_EQ(block().lastOf(number), walk.empty() ? BounceBlock::kNone : walk.back().slot);
@@ -242,7 +227,7 @@ private:
   int bands_;
   BlockArena arena_;
   std::vector<BounceBlock> blocks_; ///< one
-  Model model_;
+  std::vector<StoredEntries> model_;
 };
 
 /// Some thousand segments at a time are appended, removed and stored anew.

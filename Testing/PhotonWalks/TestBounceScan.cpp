@@ -18,6 +18,20 @@ using ExactVector = Eigen::Matrix<Exact, 3, 1>;
 using ExactMatrix = Eigen::Matrix<Exact, 3, 3>;
 using Slots = std::vector<std::uint32_t>;
 
+/// Calls find() with each instruction set; all find the same, which is returned.
+template <class Find>
+auto foundByAll(const Find& find)
+{
+  std::vector<decltype(find())> found;
+  for (const SimdLevel level : simdLevels())
+  {
+    const SimdLimit limit(level);
+    found.push_back(find());
+    EXPECT_EQ(found.back(), found.front()) << "SIMD level " << static_cast<int>(level);
+  }
+  return found.front();
+}
+
 /// Segments of walks of their own, in a block.
 class Stored
 {
@@ -32,17 +46,11 @@ public:
   /// As each instruction set finds them, which is the same.
   Slots flaggedBy(const BounceScan& scan) const
   {
-    Slots first;
-    for (const SimdLevel level : simdLevels())
-    {
-      const SimdLimit limit(level);
+    return foundByAll([&] {
       Slots slots;
       scan.find(block_, block_, slots);
-      EXPECT_TRUE(level == SimdLevel::Plain || slots == first)
-        << "SIMD level " << static_cast<int>(level);
-      first = slots;
-    }
-    return first;
+      return slots;
+    });
   }
   BounceBlock& block() { return block_; }
 
@@ -54,14 +62,6 @@ private:
 bool has(const Slots& slots, std::size_t slot)
 {
   return std::binary_search(slots.begin(), slots.end(), static_cast<std::uint32_t>(slot));
-}
-
-Box boxAround(const Vector3& center, const Vector3& half)
-{
-  Box box;
-  box.add(Vector3(center - half));
-  box.add(Vector3(center + half));
-  return box;
 }
 
 EllipsoidBound boundOf(const RigidObject& body, const AffineMap& pose)
@@ -86,7 +86,7 @@ struct Placed
   {
     const Vector3 center = unit * random.powerOfTwo(-10, 12) * random.direction();
     const Vector3 half = unit * Vector3(1, random.powerOfTwo(-8, 0), random.powerOfTwo(-2, 0));
-    grid = PointGrid(boxAround(center, half));
+    grid = PointGrid(box(center - half, center + half));
     const Vector3 lengths(1, random.powerOfTwo(-slenderest, 0), random.powerOfTwo(-3, 0));
     pose.linear = unit * random.powerOfTwo(-12, -2) * random.rotation() * lengths.asDiagonal() *
       random.rotation();
@@ -160,11 +160,6 @@ Vector3 onEdge(RandomVectors& random)
   return point * (1 - random.powerOfTwo(-40, -22));
 }
 
-struct Counts
-{
-  int touching = 0, beside = 0, flagged = 0;
-};
-
 /// Each in a walk of its own.
 void addWalk(BounceFront& front, BounceSegment segment)
 {
@@ -181,10 +176,28 @@ BounceSegment aimed(const Vector3& from, const Vector3& to, bool escapes)
   return segment;
 }
 
+/// Segments between points at random within `reach` of the origin along each axis.
+BounceFront randomFront(RandomVectors& random, int count, double reach)
+{
+  BounceFront front;
+  while (front.size() < static_cast<std::size_t>(count))
+  {
+    const Vector3 from = reach * random.inCube();
+    addWalk(front, aimed(from, reach * random.inCube(), false));
+  }
+  return front;
+}
+
+/// Whether it touches the ball.
+bool touches(const EllipsoidBound::Ball& ball, const BounceSegment& segment)
+{
+  return distanceFrom(ball, segment) <= Exact(ball.radius);
+}
+
 /// A grid around the origin, with the same step along all axes.
 PointGrid cubicGrid(double half)
 {
-  return PointGrid(boxAround({ 0, 0, 0 }, Vector3::Constant(half)));
+  return PointGrid(box(Vector3::Constant(-half), Vector3::Constant(half)));
 }
 
 /// A place that rounding moves by nearly half a step along each axis, to where `away` points.
@@ -217,7 +230,7 @@ TEST(BounceScan, NoneThatTouchesABallIsMissed)
 {
   RandomVectors random(1);
   const auto ball = bodyOf(icosphere(1));
-  Counts all;
+  int touching = 0, all = 0;
   for (int round = 0; round < 600 / kFewer; ++round)
   {
     const Placed placed(random);
@@ -227,13 +240,12 @@ TEST(BounceScan, NoneThatTouchesABallIsMissed)
     {
       addWalk(front, grazing(random, bound.ball(), placed));
     }
-    all.touching += expectNoneMissed(front, placed.grid, bound, nullptr, [&](std::size_t i) {
-      return distanceFrom(bound.ball(), front[i]) <= Exact(bound.ball().radius);
-    });
-    all.beside += static_cast<int>(front.size());
+    touching += expectNoneMissed(front, placed.grid, bound, nullptr,
+      [&](std::size_t i) { return touches(bound.ball(), front[i]); });
+    all += static_cast<int>(front.size());
   }
-  EXPECT_GT(all.touching, 100000 / kFewer);
-  EXPECT_GT(all.beside - all.touching, 100000 / kFewer) << "all but touching";
+  EXPECT_GT(touching, 100000 / kFewer);
+  EXPECT_GT(all - touching, 100000 / kFewer) << "all but touching";
 }
 
 TEST(BounceScan, NoneThatTouchesABoxIsMissed)
@@ -293,9 +305,8 @@ TEST(BounceScan, RoundingToTheGridIsPaidFor)
       addWalk(
         front, aimed(end, end + random.powerOfTwo(-10, 1) * (0.2 * i * normal + tangent), i == 3));
     }
-    touching += expectNoneMissed(front, grid, bound, nullptr, [&](std::size_t i) {
-      return distanceFrom(bound.ball(), front[i]) <= Exact(bound.ball().radius);
-    });
+    touching += expectNoneMissed(
+      front, grid, bound, nullptr, [&](std::size_t i) { return touches(bound.ball(), front[i]); });
   }
   EXPECT_GT(touching, 4000 / kFewer);
 }
@@ -341,7 +352,7 @@ TEST(BounceScan, FewOthersAreFlagged)
   {
     for (const bool escapes : { false, true })
     {
-      Counts all;
+      int touching = 0, flagged = 0;
       for (int round = 0; round < 20; ++round)
       {
         const AffineMap pose{ 0.2 * Matrix3::Identity(), 1.7 * random.inCube() };
@@ -359,15 +370,14 @@ TEST(BounceScan, FewOthersAreFlagged)
         }
         BounceScan scan(grid);
         scan.addBody(bound, &own);
-        all.flagged += static_cast<int>(Stored(front, grid).flaggedBy(scan).size());
+        flagged += static_cast<int>(Stored(front, grid).flaggedBy(scan).size());
         for (std::size_t i = 0; i < front.size(); ++i)
         {
-          all.touching +=
-            distanceFrom(bound.ball(), front[i]) <= Exact(bound.ball().radius) ? 1 : 0;
+          touching += touches(bound.ball(), front[i]) ? 1 : 0;
         }
       }
-      EXPECT_GT(all.touching, 50);
-      EXPECT_LT(all.flagged, 1.02 * all.touching + 3) << away << (escapes ? ", escapes" : "");
+      EXPECT_GT(touching, 50);
+      EXPECT_LT(flagged, 1.02 * touching + 3) << away << (escapes ? ", escapes" : "");
     }
   }
 }
@@ -378,27 +388,23 @@ TEST(BounceScan, TheOwnBoxOfABodyFlagsFewer)
   RandomVectors random(6);
   const auto body = cube();
   const PointGrid grid = cubicGrid(2);
-  Counts all;
+  std::size_t byBound = 0, byBox = 0;
   for (int round = 0; round < 40; ++round)
   {
     AffineMap pose{ 0.2 * random.rotation(), 1.7 * random.inCube() };
     pose.linear.col(1) *= 0.01;
     const OwnBox own = boxOf(*body, pose);
-    BounceFront front;
-    for (int i = 0; i < 1024; ++i)
-    {
-      addWalk(front, aimed(2 * random.inCube(), 2 * random.inCube(), false));
-    }
+    BounceFront front = randomFront(random, 1024, 2);
     Stored stored(front, grid);
     BounceScan round1(grid), box(grid);
     round1.addBody(boundOf(*body, pose));
     box.addBody(boundOf(*body, pose), &own);
     const Slots more = stored.flaggedBy(round1), fewer = stored.flaggedBy(box);
     EXPECT_TRUE(std::includes(more.begin(), more.end(), fewer.begin(), fewer.end()));
-    all.touching += static_cast<int>(more.size());
-    all.flagged += static_cast<int>(fewer.size());
+    byBound += more.size();
+    byBox += fewer.size();
   }
-  EXPECT_LT(all.flagged, 0.8 * all.touching);
+  EXPECT_LT(double(byBox), 0.8 * double(byBound));
 }
 
 // Of bodies that are small beside the grid, balls are tested first; there may be larger ones as
@@ -407,7 +413,7 @@ TEST(BounceScan, ManyBodiesFlagWhatEachFlagsAlone)
 {
   RandomVectors random(11);
   const auto ball = bodyOf(icosphere(1));
-  const PointGrid grid(boxAround({ 1, 2, 3 }, { 2, 0.7, 1 }));
+  const PointGrid grid(box({ -1, 1.3, 2 }, { 3, 2.7, 4 }));
   std::size_t count = 0;
   for (int round = 0; round < 20; ++round)
   {
@@ -515,11 +521,7 @@ TEST(BounceScan, AllAreFlaggedWhereFloatsTellTooLittle)
 {
   RandomVectors random(9);
   const PointGrid grid = cubicGrid(2);
-  BounceFront front;
-  for (int i = 0; i < 1000; ++i)
-  {
-    addWalk(front, aimed(2 * random.inCube(), 2 * random.inCube(), false));
-  }
+  BounceFront front = randomFront(random, 1000, 2);
   Stored stored(front, grid);
   const auto ball = bodyOf(icosphere(0));
   for (const double size : { 1e-30, std::numeric_limits<double>::quiet_NaN() })
@@ -595,19 +597,6 @@ BouncePage randomPage(RandomVectors& random)
   return page;
 }
 
-/// Whether the least float is the same with all instruction sets.
-template <class Make>
-void expectSame(const BouncePage& page, const Make& make)
-{
-  std::set<float> least;
-  for (const SimdLevel level : simdLevels())
-  {
-    const SimdLimit limit(level);
-    least.insert(leastThatFlags(page, make));
-  }
-  EXPECT_EQ(least.size(), 1u);
-}
-
 // On the edge of being flagged, one rounding makes the difference.
 TEST(BounceScan, EveryInstructionSetRoundsTheSame)
 {
@@ -616,28 +605,36 @@ TEST(BounceScan, EveryInstructionSetRoundsTheSame)
   {
     const BouncePage page = randomPage(random);
     GridBody body = randomBody(random);
-    expectSame(page, [&](float radius) {
-      body.squaredRadius = radius;
-      return TestedBody{ body };
+    foundByAll([&] {
+      return leastThatFlags(page, [&](float radius) {
+        body.squaredRadius = radius;
+        return TestedBody{ body };
+      });
     });
     body.squaredRadius = kInfinity;
     GridBall ball;
     std::generate_n(
       ball.center, 3, [&] { return static_cast<float>(PointGrid::kReach * random.uniform()); });
-    expectSame(page, [&](float radius) {
-      ball.squaredRadius = radius;
-      return TestedBody{ body, ball };
+    foundByAll([&] {
+      return leastThatFlags(page, [&](float radius) {
+        ball.squaredRadius = radius;
+        return TestedBody{ body, ball };
+      });
     });
     body.hasBox = true;
     std::fill_n(body.slack, 3, 1e30f);
-    expectSame(page, [&](float face) {
-      std::fill_n(body.face, 3, face);
-      return TestedBody{ body };
+    foundByAll([&] {
+      return leastThatFlags(page, [&](float face) {
+        std::fill_n(body.face, 3, face);
+        return TestedBody{ body };
+      });
     });
     std::fill_n(body.face, 3, 1e30f);
-    expectSame(page, [&](float slack) {
-      std::fill_n(body.slack, 3, slack);
-      return TestedBody{ body };
+    foundByAll([&] {
+      return leastThatFlags(page, [&](float slack) {
+        std::fill_n(body.slack, 3, slack);
+        return TestedBody{ body };
+      });
     });
   }
 }
@@ -697,7 +694,7 @@ TEST(BounceScan, LinesLoseNoSegmentThatComesNearABall)
   for (int round = 0; round < 2000 / kFewer; ++round)
   {
     const Vector3 half(1, random.powerOfTwo(-3, 0), random.powerOfTwo(-3, 0));
-    const PointGrid grid(boxAround(Vector3::Zero(), half));
+    const PointGrid grid(box(-half, half));
     const Vector3 stretch = grid.step / grid.step.maxCoeff();
     const AffineMap pose{ random.powerOfTwo(-12, -5) * random.rotation(),
       1.1 * half.cwiseProduct(random.inCube()) };
@@ -705,16 +702,13 @@ TEST(BounceScan, LinesLoseNoSegmentThatComesNearABall)
     const BouncePage page = pageBeside(random, ball, stretch);
     const GridBall withLines = ball;
     ball.lineRadius = GridBall().lineRadius;
-    for (const SimdLevel level : simdLevels())
+    const auto flagged = foundByAll([&] { return flaggedIn(page, ball, stretch); });
+    EXPECT_EQ(foundByAll([&] { return flaggedIn(page, withLines, stretch); }), flagged)
+      << "round " << round;
+    for (const std::uint16_t group : flagged)
     {
-      const SimdLimit limit(level);
-      const std::vector<std::uint16_t> flagged = flaggedIn(page, ball, stretch);
-      EXPECT_EQ(flaggedIn(page, withLines, stretch), flagged) << "round " << round;
-      for (const std::uint16_t group : flagged)
-      {
-        few += __builtin_popcount(group);
-        all += 16;
-      }
+      few += __builtin_popcount(group);
+      all += 16;
     }
   }
   EXPECT_GT(few, all / 5);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Tally/CellSums.h"
-
 #include "Kit.h"
+#include "Tally/CellSums.h"
+#include "Tally/PhotonCounts.h"
 
 namespace irradiance::test
 {
@@ -57,25 +57,69 @@ TEST(CellSums, SidesAndBandsStandApart)
   }
 }
 
-TEST(CellSums, ManyThreadsLoseNothing)
+/// Of a quad, with a slot for each cell.
+CellSums sumsOf(int cells)
 {
-  CellSums sums(quadAndBox(1));
-  ThreadExecution execution(4);
-  execution.parallelFor(2000, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      for (std::int64_t k = 0; k < 50; ++k)
-      {
-        add(sums, { 0, static_cast<std::uint32_t>(i % 8) }, true, { { k + 1, 0, 0 } }, 1);
-        add(sums, { 0, static_cast<std::uint32_t>(k % 8) }, true, { { k, 0, 0 } }, -1);
-        add(sums, { 0, static_cast<std::uint32_t>(k % 8) }, true, { { k, 0, 0 } }, 1);
-      }
-    }
-  });
-  for (std::size_t cell = 0; cell < 4; ++cell)
+  ObjectBuilder builder;
+  builder.addQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, cells, 1, grey(0.5));
+  return CellSums({ builder.build(), {} }, {}, 1, {}, 1);
+}
+
+/// What each way of counting expects: of 64 cells, a table for many photons and a list for few.
+constexpr std::size_t kExpected[] = { 1000, 1 };
+
+TEST(PhotonCounts, CountsGoToTheirSums)
+{
+  for (const std::size_t expected : kExpected)
   {
-    EXPECT_EQ(sums.sum({ 0, cell }, 0), 500 * 1275);
+    CellSums sums = sumsOf(64);
+    for (int pass = 0; pass < 2; ++pass)
+    {
+      PhotonCounts counts(sums, std::int64_t{ 1 } << 40, expected);
+      const std::uint32_t slots[] = { 3, 63, 3, 0, counts.escaped(), 3 };
+      counts.add(slots, 6);
+      counts.add(slots + 1, 1, -1);
+      counts.add(slots + 4, 2, -1);
+    }
+    for (std::size_t cell = 0; cell < 64; ++cell)
+    {
+      const std::int64_t photons = cell == 3 ? 4 : cell == 0 ? 2 : 0;
+      EXPECT_EQ(sums.sum({ { 0, cell } }, 0), photons << 40) << cell;
+    }
   }
+}
+
+// A thread's table may be longer than the sums that come later: what escaped must not reach them.
+TEST(PhotonCounts, TablesServeSumsOfEverySize)
+{
+  for (const int cells : { 100, 10, 1000, 10 })
+  {
+    CellSums sums = sumsOf(cells);
+    {
+      PhotonCounts counts(sums, 1, 10000);
+      const std::uint32_t slots[] = { counts.escaped(), counts.escaped(), 1 };
+      counts.add(slots, 3);
+    }
+    for (int cell = 0; cell < cells; ++cell)
+    {
+      EXPECT_EQ(sums.sum({ { 0, static_cast<std::size_t>(cell) } }, 0), cell == 1 ? 1 : 0);
+    }
+  }
+}
+
+// A thread has one table: who comes second keeps a list.
+TEST(PhotonCounts, SeveralOfAThreadStandApart)
+{
+  CellSums sums = sumsOf(64), others = sumsOf(64);
+  {
+    PhotonCounts counts(sums, 2, 1000), otherCounts(others, 3, 1000);
+    const std::uint32_t slot = 7;
+    counts.add(&slot, 1);
+    otherCounts.add(&slot, 1);
+    counts.add(&slot, 1);
+  }
+  EXPECT_EQ(sums.sum({ { 0, 7 } }, 0), 4);
+  EXPECT_EQ(others.sum({ { 0, 7 } }, 0), 3);
 }
 
 }

@@ -2,6 +2,7 @@
 // Bodies that touch lamps exactly: dark inside, and updates equal rebuilds while they come and go.
 
 #include "Kit.h"
+#include "Surfaces/CoincidentTriangles.h"
 
 namespace irradiance::test
 {
@@ -20,15 +21,13 @@ TEST(Contacts, ASheetThatIsNotHitMatters)
   ObjectBuilder sheet;
   sheet.addQuad({ -1, -1, 1.8 * margin }, { 2, 0, 0 }, { 0, 2, 0 }, 1, 1, grey(0.5));
   SceneObjects objects{ lamps.build(), { sheet.build() } };
-  Shoot settings(scaled(5000));
-  IrradianceEngine engine;
-  Execution one;
+  UpdatedEngine engine;
   std::int64_t received = 0;
   for (const double x : { 0.0, 5.0, 0.0, 0.5, 5.0 })
   {
     objects.dynamicObjects[0].worldFromObject = shift({ x, 0, 0 });
-    engine.update(objects, settings, one);
-    ASSERT_EQ(answerOf(engine, objects), freshAnswer(objects, settings)) << "at " << x;
+    engine.update(objects, Shoot(scaled(5000)));
+    ASSERT_TRUE(isAsFresh(engine)) << "at " << x;
     const double upper = engine.sums().sum({ 0, 1 }, 0);
     EXPECT_NE(upper, received); // so it does matter
     received = upper;
@@ -46,17 +45,14 @@ TEST(Contacts, AShutterBeforeALampInACeiling)
   shutter.addQuad({ -1, -1, 0.5 }, { 2, 0, 0 }, { 0, 2, 0 }, 1, 1, grey(0.5));
   plate.addQuad({ -9, -9, 2 }, { 18, 0, 0 }, { 0, 18, 0 }, 1, 1, grey(0.5));
   SceneObjects objects{ room.build(), { shutter.build(), plate.build() } };
-  Shoot settings(scaled(5000));
-  Execution one;
   for (const bool isGathered : { false, true })
   {
-    settings.gathersDirectLight = isGathered;
-    IrradianceEngine engine;
+    UpdatedEngine engine;
     for (const double x : { 5.0, 0.0, 5.0, 1.0, 5.0 })
     {
       objects.dynamicObjects[0].worldFromObject = shift({ x, 0, 0 });
-      engine.update(objects, settings, one);
-      ASSERT_EQ(answerOf(engine, objects), freshAnswer(objects, settings)) << "at " << x;
+      engine.update(objects, Shoot(scaled(5000)).gathered(isGathered));
+      ASSERT_TRUE(isAsFresh(engine)) << "at " << x;
     }
   }
 }
@@ -65,14 +61,12 @@ TEST(Contacts, AShutterBeforeALampInACeiling)
 TEST(Contacts, NoLightGetsInside)
 {
   SceneObjects objects{ lightTable(), { makeBox(0.5) } };
-  EngineSettings settings = Shoot(scaled(100000)).bySide();
   for (const auto& [angle, isGathered] : { std::pair(0.0, false), std::pair(0.3, false),
          std::pair(1.1, false), std::pair(0.0, true), std::pair(0.3, true), std::pair(1.1, true) })
   {
-    settings.gathersDirectLight = isGathered;
     const Eigen::AngleAxisd turn(angle, Vector3::UnitZ());
     objects.dynamicObjects[0].worldFromObject = { turn.toRotationMatrix(), Vector3(-0.3, -0.2, 0) };
-    UpdatedEngine engine(objects, settings);
+    UpdatedEngine engine(objects, Shoot(scaled(100000)).bySide().gathered(isGathered));
     for (std::size_t cell = 0; cell < 24; ++cell)
     {
       EXPECT_EQ(engine.sums().sum({ 1, cell, 1 }, 0), 0) << "angle " << angle << ", cell " << cell;
@@ -90,19 +84,114 @@ TEST(Contacts, NoLightGetsInside)
 // these are exceeded in 1 of 10^6 runs.
 TEST(Contacts, ALargeCellFindsTheSmallLampThatStandsOnIt)
 {
-  ObjectBuilder room;
-  room.addBox(box({ 0, 0, 0 }, { 3, 3, 3 }), 1, grey(0.5), true);
+  ObjectBuilder room = plainRoom({ 3, 3, 3 }, 1, grey(0.5));
   room.addBox(box({ 1.25, 1.25, 0 }, { 1.75, 1.75, 0.5 }), 1, grey(0.5, 10));
   const SceneObjects objects{ room.build(), {} };
   constexpr double kWatts = 6 * 0.25 * 10;
   for (std::uint64_t seed = 1; seed <= 4; ++seed)
   {
-    EngineSettings settings = Shoot(scaled(20000)).seeded(seed).gathered();
-    UpdatedEngine engine(objects, settings);
+    UpdatedEngine engine(objects, Shoot(scaled(20000)).seeded(seed).gathered());
     EXPECT_NEAR(
       engine.watts(engine.balance().escaped.total()), 0, (kIsSanitized ? 0.3 : 0.08) * kWatts)
       << "seed " << seed;
   }
+}
+
+// Triangles that coincide: found in trees as by trying all pairs.
+
+Triangle triangleAt(double z)
+{
+  return { { 0, 0, z }, { 1, 0, z }, { 0, 1, z } };
+}
+
+/// Rectangles in few planes, some of which overlap, turned by no simple angle.
+TriangleMesh makeSheets(std::mt19937_64& random, int count)
+{
+  const Matrix3 turn(
+    Eigen::AngleAxisd(0.7, Vector3(0.3, -0.8, 0.5).normalized()).toRotationMatrix());
+  std::uniform_real_distribution<double> place(-1, 1), side(0.05, 0.5);
+  std::uniform_int_distribution<int> plane(0, 3);
+  std::vector<Triangle> triangles;
+  for (int i = 0; i < count; ++i)
+  {
+    const double x = place(random), y = place(random), z = 0.25 * plane(random);
+    const double u = side(random), v = side(random);
+    const Vector3 a = turn * Vector3(x, y, z), b = turn * Vector3(x + u, y, z),
+                  c = turn * Vector3(x + u, y + v, z), d = turn * Vector3(x, y + v, z);
+    triangles.push_back({ a, b, c });
+    triangles.push_back({ a, c, d });
+  }
+  return TriangleMesh(triangles);
+}
+
+// The tolerance is 2^-32 of the largest coordinate, here 1.
+TEST(CoincidentTriangles, LieInOnePlane)
+{
+  const FlatTriangle flat(triangleAt(0));
+  EXPECT_TRUE(flat.coincidesWith(triangleAt(0)));
+  EXPECT_TRUE(flat.coincidesWith(triangleAt(0x1p-33)));
+  EXPECT_FALSE(flat.coincidesWith(triangleAt(0x1p-31)));
+  EXPECT_FALSE(flat.coincidesWith({ { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } })) << "a neighbour";
+  EXPECT_FALSE(flat.coincidesWith({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0.5 } })) << "a common edge";
+  EXPECT_TRUE(flat.coincidesWith({ { 0.1, 0.1, 0 }, { 0.1, 0.2, 0 }, { 0.2, 0.1, 0 } }));
+}
+
+TEST(CoincidentTriangles, WithinABodyAreThoseOfAllPairs)
+{
+  std::mt19937_64 random(3);
+  const RigidObject body(makeSheets(random, 150)), other(makeSheets(random, 20));
+  Execution execution;
+  const auto found = coincidentWithin({ &body, &other }, execution);
+  ASSERT_EQ(found.size(), 2u);
+  for (const auto& [mesh, pairs] :
+    { std::pair(&body.mesh(), found[0]), std::pair(&other.mesh(), found[1]) })
+  {
+    std::vector<TrianglePair> expected;
+    for (std::uint32_t i = 0; i < mesh->size(); ++i)
+    {
+      for (std::uint32_t k = i + 1; k < mesh->size(); ++k)
+      {
+        if (FlatTriangle((*mesh)[i]).coincidesWith((*mesh)[k]))
+        {
+          expected.emplace_back(i, k);
+        }
+      }
+    }
+    EXPECT_GT(expected.size(), 10u);
+    EXPECT_EQ(pairs, expected);
+  }
+}
+
+TEST(CoincidentTriangles, OfTwoObjectsAreThoseOfAllPairs)
+{
+  std::mt19937_64 random(4);
+  SceneObject few, many;
+  few.body = std::make_shared<RigidObject>(makeSheets(random, 10));
+  many.body = std::make_shared<RigidObject>(makeSheets(random, 100));
+  many.worldFromObject = { 2 * Matrix3::Identity(), Vector3(0.25, -0.5, 0) };
+  few.worldFromObject = { Matrix3::Identity(), Vector3(0.25, -0.5, 0) };
+  std::vector<TrianglePair> expected;
+  const auto triangleOf = [](const SceneObject& object, std::uint32_t i) {
+    return transformed(object.worldFromObject, object.body->mesh()[i]);
+  };
+  for (std::uint32_t i = 0; i < few.body->mesh().size(); ++i)
+  {
+    for (std::uint32_t k = 0; k < many.body->mesh().size(); ++k)
+    {
+      if (FlatTriangle(triangleOf(few, i)).coincidesWith(triangleOf(many, k)))
+      {
+        expected.emplace_back(i, k);
+      }
+    }
+  }
+  EXPECT_GT(expected.size(), 10u);
+  EXPECT_EQ(coincidentBetween(few, many, {}), expected);
+  for (TrianglePair& pair : expected)
+  {
+    std::swap(pair.first, pair.second);
+  }
+  std::sort(expected.begin(), expected.end());
+  EXPECT_EQ(coincidentBetween(many, few, {}), expected);
 }
 
 }

@@ -14,15 +14,21 @@ namespace
 /// A room with a panel of 1 W below the ceiling.
 ObjectBuilder roomWithPanel()
 {
-  ObjectBuilder room;
-  room.addBox(box({ 0, 0, 0 }, { 4, 4, 3 }), 4, grey(0.5), true);
-  room.addQuad({ 1.5, 1.5, 2.9 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(0, 1));
+  ObjectBuilder room = plainRoom({ 4, 4, 3 }, 4, grey(0.5));
+  addPanel(room, { 1.5, 1.5, 2.9 }, 1, 1, 1);
   return room;
 }
 
-SceneObjects withMover(const ObjectBuilder& mover)
+SceneObjects withMover(const ObjectBuilder& mover, const Vector3& at = { 0, 0, 0 })
 {
-  return { roomWithPanel().build(), { mover.build() } };
+  return { roomWithPanel().build(), { mover.build(shift(at)) } };
+}
+
+SceneObjects withBox(const Vector3& lower, const Vector3& upper, int n, bool isRoom = false)
+{
+  ObjectBuilder mover;
+  mover.addBox(box(lower, upper), n, grey(0.5), isRoom);
+  return withMover(mover);
 }
 
 /// Of dynamic cells: those dark on the front, on the back, and on both sides.
@@ -37,10 +43,7 @@ struct Counts
 
 CellShapes shapesOf(const SceneObjects& objects)
 {
-  IrradianceEngine engine;
-  EngineSettings settings = Shoot(100).gathered();
-  Execution serial;
-  engine.update(objects, settings, serial);
+  const UpdatedEngine engine(objects, Shoot(100).gathered());
   CellShapes shapes(engine.frame(), 0, objects.size());
   markDarkSides(shapes, engine.frame(), LightTable(objects, 100));
   return shapes;
@@ -65,9 +68,7 @@ TEST(OuterSides, AreDarkUnlessSomethingIsInFront)
 {
   for (const double beyond : { 4.0, 4.5 }) // in the wall at x = 4, then half a metre from it
   {
-    ObjectBuilder mover;
-    mover.addBox(box({ beyond - 1, 1, 1 }, { beyond, 2, 2 }), 1, grey(0.5));
-    const SceneObjects objects = withMover(mover);
+    const SceneObjects objects = withBox({ beyond - 1, 1, 1 }, { beyond, 2, 2 }, 1);
     CellShapes shapes = shapesOf(objects);
     for (std::size_t cell = 0; cell < shapes.size(); ++cell)
     {
@@ -89,25 +90,21 @@ TEST(OuterSides, AreDarkUnlessSomethingIsInFront)
 
 TEST(DarkSides, AreInsideAClosedBodyAndBelowIt)
 {
-  ObjectBuilder cube;
-  cube.addBox(box({ 1.5, 1.5, 1 }, { 2.5, 2.5, 2 }), 2, grey(0.5));
   // Walls stand below the edges of the panel's bounds, so they turn away from all of it.
-  EXPECT_EQ(countsOf(withMover(cube)), (Counts{ 20, 24, 20, 24 }));
+  const Vector3 low(1.5, 1.5, 1), high(2.5, 2.5, 2);
+  EXPECT_EQ(countsOf(withBox(low, high, 2)), (Counts{ 20, 24, 20, 24 }));
   // The other way round.
-  ObjectBuilder turned;
-  turned.addBox(box({ 1.5, 1.5, 1 }, { 2.5, 2.5, 2 }), 2, grey(0.5), true);
-  EXPECT_EQ(countsOf(withMover(turned)), (Counts{ 24, 20, 20, 24 }));
+  EXPECT_EQ(countsOf(withBox(low, high, 2, true)), (Counts{ 24, 20, 20, 24 }));
   // A smaller one: walls see the panel, the floor does not.
-  ObjectBuilder small;
-  small.addBox(box({ 1.8, 1.8, 1 }, { 2.2, 2.2, 1.4 }), 2, grey(0.5));
-  EXPECT_EQ(countsOf(withMover(small)), (Counts{ 4, 24, 4, 24 }));
+  const SceneObjects small = withBox({ 1.8, 1.8, 1 }, { 2.2, 2.2, 1.4 }, 2);
+  EXPECT_EQ(countsOf(small), (Counts{ 4, 24, 4, 24 }));
 }
 
 TEST(DarkSides, AreNotWhereALightIsInsideOrNear)
 {
-  ObjectBuilder cube, lantern, lampshade;
-  cube.addBox(box({ 1.5, 1.5, 1 }, { 2.5, 2.5, 2.95 }), 2, grey(0.5)); // about the panel
-  EXPECT_EQ(countsOf(withMover(cube)), (Counts{ 0, 0, 0, 24 }));
+  ObjectBuilder lantern, lampshade;
+  const SceneObjects aboutThePanel = withBox({ 1.5, 1.5, 1 }, { 2.5, 2.5, 2.95 }, 2);
+  EXPECT_EQ(countsOf(aboutThePanel), (Counts{ 0, 0, 0, 24 }));
   lantern.addBox(box({ 1, 1, 1 }, { 2, 2, 2 }), 1, grey(0.5));
   lantern.addPointLight({ 1.5, 1.5, 1.5 }, 1);
   EXPECT_EQ(countsOf(withMover(lantern)), (Counts{ 0, 0, 0, 6 }));
@@ -128,19 +125,16 @@ TEST(DarkSides, AreNotOfSheetsNorOfStaticBodies)
 /// Light that comes by way of walls arrives all the same, and a lamp that enters the body is seen.
 TEST(DarkSides, FollowALampThatEntersTheBody)
 {
-  ObjectBuilder cube, lamp;
-  cube.addBox(box({ -0.5, -0.5, -0.5 }, { 0.5, 0.5, 0.5 }), 2, grey(0.5));
+  ObjectBuilder lamp;
   lamp.addPointLight({ 0, 0, 0 }, 1);
-  SceneObjects objects{ roomWithPanel().build(), { cube.build(), lamp.build() } };
-  objects.dynamicObjects[0].worldFromObject = shift({ 2, 2, 1 });
-  EngineSettings settings = Shoot(scaled(20000)).gathered().bySide();
-  IrradianceEngine engine;
-  Execution serial;
+  SceneObjects objects{ roomWithPanel().build(),
+    { block({ 2, 2, 1 }, { 0.5, 0.5, 0.5 }, 2), lamp.build() } };
+  UpdatedEngine engine;
   for (const double x : { 3.2, 2.4, 2.0, 1.2 })
   {
     objects.dynamicObjects[1].worldFromObject = shift({ x, 2, 1 });
-    engine.update(objects, settings, serial);
-    ASSERT_EQ(answerOf(engine, objects, true), freshAnswer(objects, settings)) << "x = " << x;
+    engine.update(objects, Shoot(scaled(20000)).gathered().bySide());
+    ASSERT_TRUE(isAsFresh(engine)) << "x = " << x;
     const bool isInside = x > 1.5 && x < 2.5;
     double inner = 0, outer = 0; // W/m2, of 24 cells
     for (std::uint32_t cell = 0; cell < 24; ++cell)
@@ -149,14 +143,7 @@ TEST(DarkSides, FollowALampThatEntersTheBody)
       inner += engine.irradiance({ { 1, cell }, 1 }, 0);
     }
     EXPECT_GT(outer, 0.1);
-    if (isInside)
-    {
-      EXPECT_GT(inner, 1);
-    }
-    else
-    {
-      EXPECT_EQ(inner, 0);
-    }
+    EXPECT_TRUE(isInside ? inner > 1 : inner == 0) << "x = " << x;
   }
 }
 
@@ -181,11 +168,9 @@ TEST(DarkSides, AreNotOfARingThatCrossesItself)
     ring([](double v) { return Vector3(.3 * std::cos(v), 0, .3 * std::sin(v)); });
   const ObjectBuilder eight =
     ring([](double v) { return Vector3(.3 * std::cos(v + .1), 0, .2 * std::sin(2 * v + .2)); });
-  SceneObjects objects = withMover(round);
-  objects.dynamicObjects[0].worldFromObject = shift({ 2, 2, 1 });
-  EXPECT_EQ(countsOf(objects).front + countsOf(objects).back, 192 + countsOf(objects).both);
-  objects = withMover(eight);
-  objects.dynamicObjects[0].worldFromObject = shift({ 2, 2, 1 });
+  const Counts ofRound = countsOf(withMover(round, { 2, 2, 1 }));
+  EXPECT_EQ(ofRound.front + ofRound.back, 192 + ofRound.both);
+  const SceneObjects objects = withMover(eight, { 2, 2, 1 });
   EXPECT_EQ(countsOf(objects), (Counts{ 0, 0, 0, 192 }));
   // Both halves have light, shot and gathered.
   double watts[2][2];

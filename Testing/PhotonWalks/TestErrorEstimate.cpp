@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Estimates/ErrorEstimate.h"
-
+#include "Estimates/StudentT.h"
 #include "Kit.h"
 
 namespace irradiance::test
@@ -21,11 +21,13 @@ SceneObjects strip(const std::vector<double>& widths, int bands = 1)
   return { builder.build(), {} };
 }
 
-SceneCells cellsOf(const SceneObjects& objects)
+/// What a target misses by error bars.
+TargetMiss missOf(double target, const ErrorEstimate& estimate, const SceneObjects& objects)
 {
   SceneCells cells;
   cells.update(objects, {});
-  return cells;
+  Execution serial;
+  return estimate.missOf(target, cells, false, serial);
 }
 
 /// Adds `quanta` of a walk to a cell of strip().
@@ -34,6 +36,13 @@ void add(CellSums& sums, std::uint32_t walk, std::uint32_t cell, const Power& qu
   std::vector<Deposit> deposits;
   sums.collect(sums.slotOf(walk, { 0, cell }), true, quanta, 1, deposits);
   sums.add(deposits);
+}
+
+/// Of a cell, where a photon is so many quanta.
+double errorOf(const CellSums& sums, const WalkPlan& plan, double photon, std::size_t cell = 0,
+  std::size_t rounds = 1)
+{
+  return ErrorEstimate(sums, plan, rounds, { photon, 0, 0 }).standardError({ 0, cell }, 0);
 }
 
 // The textbook's standard error of the mean of R equal shares, times R.
@@ -50,8 +59,7 @@ TEST(ErrorEstimate, IsThatOfTheMeanOfReplicates)
     add(sums, i, 1, { { quanta, 0, 0 } });
     estimates.add(double(quanta) * kReplicates);
   }
-  const ErrorEstimate errors(sums, plan, 1, { 1, 0, 0 });
-  EXPECT_NEAR(errors.standardError({ 0, 1 }, 0) / estimates.standardError(), 1, 1e-12);
+  EXPECT_NEAR(errorOf(sums, plan, 1, 1) / estimates.standardError(), 1, 1e-12);
 }
 
 // The expected square of the estimate is the variance, for any remainder of walks / replicates. A
@@ -76,8 +84,7 @@ TEST(ErrorEstimate, IsUnbiasedWhenSharesDifferByAWalk)
       }
       sums.add(deposits);
       // Photons of one quantum keep the error's lower bound out of the way.
-      const double error = ErrorEstimate(sums, plan, 1, { 1, 0, 0 }).standardError({ 0, 0 }, 0);
-      squares.add(error * error);
+      squares.add(std::pow(errorOf(sums, plan, 1), 2));
     }
     const double truth = walks * double(kPhoton / 4) * double(kPhoton / 4) / 4;
     EXPECT_LE(std::abs(squares.t(truth)), 5) << walks;
@@ -90,10 +97,9 @@ TEST(ErrorEstimate, IsUnknownBelow25Photons)
   CellSums sums(strip({ 1, 1, 1 }), plan);
   add(sums, 3, 0, { { 24999, 0, 0 } });
   add(sums, 3, 1, { { 25000, 0, 0 } });
-  const ErrorEstimate errors(sums, plan, 1, { 1000, 0, 0 });
-  EXPECT_TRUE(std::isnan(errors.standardError({ 0, 0 }, 0)));
-  EXPECT_GT(errors.standardError({ 0, 1 }, 0), 0);
-  EXPECT_TRUE(std::isnan(errors.standardError({ 0, 2 }, 0))) << "nothing received";
+  EXPECT_TRUE(std::isnan(errorOf(sums, plan, 1000, 0)));
+  EXPECT_GT(errorOf(sums, plan, 1000, 1), 0);
+  EXPECT_TRUE(std::isnan(errorOf(sums, plan, 1000, 2))) << "nothing received";
 }
 
 // One replicate says nothing about the spread, nor do fewer than 25 walks, however strong they are.
@@ -104,8 +110,7 @@ TEST(ErrorEstimate, IsUnknownWithoutReplicatesOrWalks)
   {
     CellSums sums(strip({ 1 }), plan);
     add(sums, 0, 0, { { 1000000, 0, 0 } });
-    const double error = ErrorEstimate(sums, plan, 1, { 1000, 0, 0 }).standardError({ 0, 0 }, 0);
-    EXPECT_EQ(std::isnan(error), !(plan == enough));
+    EXPECT_EQ(std::isnan(errorOf(sums, plan, 1000)), !(plan == enough));
   }
 }
 
@@ -118,8 +123,7 @@ TEST(ErrorEstimate, IsAtLeastThatOfRoundingToAPhoton)
   {
     add(sums, walk, 0, { { 600, 0, 0 } });
   }
-  const double error = ErrorEstimate(sums, plan, 1, { 600, 0, 0 }).standardError({ 0, 0 }, 0);
-  EXPECT_NEAR(error, 600 * std::sqrt(4 / 12.0), 1e-9);
+  EXPECT_NEAR(errorOf(sums, plan, 600), 600 * std::sqrt(4 / 12.0), 1e-9);
 }
 
 // Two cells are known to 10 % and 20 % of their sums, one is dark. The cell that completes 95 % of
@@ -128,7 +132,6 @@ TEST(ErrorEstimate, OfMostAreaGoesByArea)
 {
   constexpr std::int64_t kPhoton = 1000;
   const WalkPlan plan(1600, 1600, 2);
-  Execution execution;
   const auto reached = [&](const std::vector<double>& widths, std::int64_t inDark) {
     const SceneObjects objects = strip(widths);
     CellSums sums(objects, plan);
@@ -137,9 +140,7 @@ TEST(ErrorEstimate, OfMostAreaGoesByArea)
     add(sums, 0, 1, { { 1200000, 0, 0 } }); // 20 %
     add(sums, 1, 1, { { 800000, 0, 0 } });
     add(sums, 0, 2, { { inDark, 0, 0 } });
-    return ErrorEstimate(sums, plan, 1, { kPhoton, 0, 0 })
-      .missOf(0, cellsOf(objects), false, execution)
-      .reached;
+    return missOf(0, ErrorEstimate(sums, plan, 1, { kPhoton, 0, 0 }), objects).reached;
   };
   const double t = 12.7062047; // of one degree
   EXPECT_NEAR(reached({ 96, 3, 1 }, 0), t * 0.1, 1e-6);
@@ -158,11 +159,8 @@ TEST(ErrorEstimate, OfMostAreaTakesTheWorstBandThatShines)
   CellSums sums(objects, plan);
   add(sums, 0, 0, { { 110000, 120000, 0 } });
   add(sums, 1, 0, { { 90000, 80000, 0 } });
-  Execution execution;
   const auto reached = [&](const Bands& photon) {
-    return ErrorEstimate(sums, plan, 1, photon)
-      .missOf(0, cellsOf(objects), false, execution)
-      .reached;
+    return missOf(0, ErrorEstimate(sums, plan, 1, photon), objects).reached;
   };
   EXPECT_NEAR(reached({ 1000, 1000, 0 }), 12.7062047 * 0.2, 1e-6);
   EXPECT_EQ(reached({ 1000, 1000, 1000 }), kInfinity) << "the third shines but is not received";
@@ -197,13 +195,12 @@ TEST(ErrorEstimate, TellsWhichLeverPromisesWhat)
   KnownRays rays;
   rays.variances = { 0.25 * kVariance, kVariance, 3 * kVariance };
   const ErrorEstimate estimate(sums, plan, 1, { 1000, 0, 0 }, &rays);
-  Execution execution;
-  TargetMiss miss = estimate.missOf(0.1, cellsOf(objects), false, execution);
+  TargetMiss miss = missOf(0.1, estimate, objects);
   EXPECT_NEAR(miss.reached, 12.7062047 * 0.1, 1e-6);
   EXPECT_NEAR(miss.byWalks, (1 + 2 * 0.75) / 2, 1e-9);
   EXPECT_NEAR(miss.byRays, (2 * 0.25 + 3 + 4) / 2, 1e-9);
   EXPECT_NEAR(miss.beyondRays, 0.1, 1e-12);
-  miss = estimate.missOf(1.3, cellsOf(objects), false, execution);
+  miss = missOf(1.3, estimate, objects);
   EXPECT_EQ(miss.byWalks + miss.byRays + miss.beyondRays, 0) << "all are within";
 }
 
@@ -217,15 +214,57 @@ TEST(ErrorEstimate, LooksAtTheFirstRoundsAlone)
   {
     add(sums, walk, 0, { { 1000, 0, 0 } });
   }
-  const auto error = [&](std::size_t rounds) {
-    return ErrorEstimate(sums, plan, rounds, { 1, 0, 0 }).standardError({ 0, 0 }, 0);
-  };
+  const auto error = [&](std::size_t rounds) { return errorOf(sums, plan, 1, 0, rounds); };
   EXPECT_NEAR(error(1), std::sqrt(2 / 12.0), 1e-9) << "both have 1000";
   EXPECT_NEAR(error(2), 1000, 1e-9) << "2000 and 1000: sqrt(2 (500^2 + 500^2))";
   EXPECT_NEAR(error(3), 1000, 1e-9) << "3000 and 2000";
   sums.setRounds(2);
   EXPECT_EQ(sums.sum({ 0, 0 }, 0), 3000);
   EXPECT_NEAR(error(2), 1000, 1e-9);
+}
+
+// Two-sided quantiles from the NIST/SEMATECH e-Handbook of Statistical Methods, 1.3.6.7.2.
+TEST(StudentT, QuantilesOfThePublishedTable)
+{
+  const struct
+  {
+    int freedom;
+    double t95, t99;
+  } rows[] = { { 1, 12.706, 63.657 }, { 2, 4.303, 9.925 }, { 3, 3.182, 5.841 }, { 4, 2.776, 4.604 },
+    { 5, 2.571, 4.032 }, { 6, 2.447, 3.707 }, { 7, 2.365, 3.499 }, { 8, 2.306, 3.355 },
+    { 9, 2.262, 3.250 }, { 10, 2.228, 3.169 }, { 15, 2.131, 2.947 }, { 20, 2.086, 2.845 },
+    { 30, 2.042, 2.750 }, { 31, 2.040, 2.744 }, { 63, 1.998, 2.656 }, { 100, 1.984, 2.626 } };
+  for (const auto& [freedom, t95, t99] : rows)
+  {
+    EXPECT_NEAR(studentQuantile(0.95, freedom), t95, 5.1e-4) << freedom;
+    EXPECT_NEAR(studentQuantile(0.99, freedom), t99, 5.1e-4) << freedom;
+  }
+}
+
+// Closed forms: one degree is Cauchy's distribution, two an algebraic one.
+TEST(StudentT, ClosedForms)
+{
+  for (const double p : { 0.01, 0.5, 0.95, 0.999 })
+  {
+    EXPECT_NEAR(studentQuantile(p, 1) / std::tan(0.5 * M_PI * p), 1, 1e-12);
+    EXPECT_NEAR(studentQuantile(p, 2) / (p * std::sqrt(2 / (1 - p * p))), 1, 1e-11);
+  }
+}
+
+TEST(StudentT, TendsToTheNormalDistribution)
+{
+  for (const double t : { 0.5, 1.0, 1.96, 3.0 })
+  {
+    EXPECT_NEAR(studentProbability(t, 10000), std::erf(t / std::sqrt(2.0)), 1e-4);
+  }
+}
+
+TEST(StudentT, QuantileUndoesProbability)
+{
+  for (int freedom = 1; freedom < 256; ++freedom)
+  {
+    EXPECT_NEAR(studentProbability(studentQuantile(0.95, freedom), freedom), 0.95, 1e-13);
+  }
 }
 
 }

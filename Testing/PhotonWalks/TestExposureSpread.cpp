@@ -2,8 +2,8 @@
 // Exposure, spread over the cells around: of photons that are drawn here, so that all is known
 // beforehand.
 
+#include "Exposure/AdaptiveTrapezoids.h"
 #include "Exposure/ExposureSpread.h"
-
 #include "Kit.h"
 
 namespace irradiance::test
@@ -11,8 +11,8 @@ namespace irradiance::test
 namespace
 {
 
-constexpr std::size_t kReplicates = 16;
-constexpr double kPhoton = 0.5; // J/m2, that one photon brings to a cell
+constexpr std::size_t kDoseReplicates = 16;
+constexpr double kJoules = 0.5; // J/m2, that one photon brings to a cell
 
 /// n * n squares of 1 m2, of two triangles each; those of odd number may be turned over.
 ExposedSurface squares(std::size_t n, bool areTurned = false)
@@ -45,23 +45,23 @@ struct Dose
   explicit Dose(std::size_t cells, int bands = 1)
     : bands(static_cast<std::size_t>(bands))
     , exposure(cells * this->bands)
-    , sums(exposure.size(), bands, kReplicates)
+    , sums(exposure.size(), bands, kDoseReplicates)
   {
   }
 
   void add(const Photons& photons, double weight = 1)
   {
     const std::size_t cells = exposure.size() / bands;
-    auto of = std::shared_ptr<double[]>(new double[exposure.size() * kReplicates]);
-    std::vector<double> mean(exposure.size()), photon(exposure.size(), kPhoton);
+    auto of = std::shared_ptr<double[]>(new double[exposure.size() * kDoseReplicates]);
+    std::vector<double> mean(exposure.size()), photon(exposure.size(), kJoules);
     for (std::size_t cell = 0; cell < cells; ++cell)
     {
-      for (std::size_t r = 0; r < kReplicates; ++r)
+      for (std::size_t r = 0; r < kDoseReplicates; ++r)
       {
         for (std::size_t band = 0; band < bands; ++band)
         {
-          const double arrived = photons(r, cell, band) * kPhoton;
-          of[(cell * kReplicates + r) * bands + band] = arrived * kReplicates;
+          const double arrived = photons(r, cell, band) * kJoules;
+          of[(cell * kDoseReplicates + r) * bands + band] = arrived * kDoseReplicates;
           mean[cell * bands + band] += arrived;
         }
       }
@@ -73,6 +73,7 @@ struct Dose
     }
   }
 
+  double error(std::size_t cell) const { return sums.standardError(cell, exposure[cell]); }
   ExposedSide side() { return { &exposure, &sums }; }
   void spread(const ExposedSurface& surface, double photons)
   {
@@ -83,11 +84,11 @@ struct Dose
   /// Of a band, in all cells of 1 m2: of the exposure and of each replicate, J.
   std::vector<double> energies(std::size_t band)
   {
-    std::vector<double> energies(1 + kReplicates);
+    std::vector<double> energies(1 + kDoseReplicates);
     for (std::size_t i = band; i < exposure.size(); i += bands)
     {
       energies[0] += exposure[i];
-      for (std::size_t r = 0; r < kReplicates; ++r)
+      for (std::size_t r = 0; r < kDoseReplicates; ++r)
       {
         energies[1 + r] += sums.exposure(i, r);
       }
@@ -104,7 +105,7 @@ struct Dose
 Dose::Photons poisson(double mean, unsigned seed)
 {
   return [random = std::make_shared<std::mt19937_64>(seed),
-           count = std::poisson_distribution<int>(mean / kReplicates)](
+           count = std::poisson_distribution<int>(mean / kDoseReplicates)](
            std::size_t, std::size_t, std::size_t) mutable { return double(count(*random)); };
 }
 
@@ -123,20 +124,15 @@ TEST(ExposureSpread, ConservesEnergyInEachBand)
   dose.add([random = std::mt19937_64(1)](std::size_t, std::size_t cell, std::size_t band) mutable {
     return double(random() % (1 + cell % 7 * (band + 1)));
   });
-  const std::vector<double> before = dose.exposure;
-  std::vector<std::vector<double>> energies;
-  for (const std::size_t band : { 0u, 1u, 2u })
-  {
-    energies.push_back(dose.energies(band));
-  }
+  Dose before = dose;
   dose.spread(squares(30), 2000);
-  EXPECT_NE(dose.exposure, before);
+  EXPECT_NE(dose.exposure, before.exposure);
   for (const std::size_t band : { 0u, 1u, 2u })
   {
-    const std::vector<double> after = dose.energies(band);
+    const std::vector<double> after = dose.energies(band), expected = before.energies(band);
     for (std::size_t i = 0; i < after.size(); ++i)
     {
-      EXPECT_NEAR(after[i], energies[band][i], 1e-12 * energies[band][i]) << band << " " << i;
+      EXPECT_NEAR(after[i], expected[i], 1e-12 * expected[i]) << band << " " << i;
     }
   }
 }
@@ -151,7 +147,7 @@ TEST(ExposureSpread, KeepsAUniformDose)
   for (std::size_t i = 0; i < before.size(); ++i)
   {
     EXPECT_NEAR(dose.exposure[i], before[i], 1e-9 * before[i]);
-    EXPECT_NEAR(dose.sums.exposure(i, 1), 4 * kPhoton * kReplicates, 1e-9);
+    EXPECT_NEAR(dose.sums.exposure(i, 1), 4 * kJoules * kDoseReplicates, 1e-9);
   }
 }
 
@@ -177,9 +173,8 @@ TEST(ExposureSpread, LeavesCellsWithEnoughPhotons)
   for (std::size_t i = 0; i < 50; ++i)
   {
     EXPECT_EQ(dose.exposure[i], before.exposure[i]);
-    const auto errorOf = [i](const Dose& of) { return of.sums.standardError(i, of.exposure[i]); };
-    EXPECT_EQ(std::isnan(errorOf(dose)), std::isnan(errorOf(before))) << i;
-    EXPECT_TRUE(std::isnan(errorOf(before)) || errorOf(dose) == errorOf(before)) << i;
+    EXPECT_EQ(std::isnan(dose.error(i)), std::isnan(before.error(i))) << i;
+    EXPECT_TRUE(std::isnan(before.error(i)) || dose.error(i) == before.error(i)) << i;
   }
   EXPECT_NE(dose.exposure[60], before.exposure[60]);
 }
@@ -195,16 +190,16 @@ TEST(ExposureSpread, BringsTheNoiseOfThePhotonsAskedFor)
   {
     Dose dose(48 * 48);
     dose.add(poisson(mean, seed));
-    EXPECT_NEAR(squaredDeviation(dose.exposure, mean * kPhoton), 1 / mean, 0.1);
+    EXPECT_NEAR(squaredDeviation(dose.exposure, mean * kJoules), 1 / mean, 0.1);
     dose.spread(squares(48), n);
-    square += squaredDeviation(dose.exposure, mean * kPhoton) / 4;
+    square += squaredDeviation(dose.exposure, mean * kJoules) / 4;
     for (std::size_t i = 0; i < dose.exposure.size(); ++i)
     {
-      const double error = dose.sums.standardError(i, dose.exposure[i]);
-      claimed += std::isnan(error) ? 0 : std::pow(error / (mean * kPhoton), 2) / (4 * 48 * 48);
+      claimed += std::isnan(dose.error(i))
+        ? 0
+        : std::pow(dose.error(i) / (mean * kJoules), 2) / (4 * 48 * 48);
     }
   }
-  std::cout << "mean square " << n * square << ", claimed " << n * claimed << " of 1 / n\n";
   EXPECT_GT(square, 1 / n / 1.7);
   EXPECT_LT(square, 1.7 / n);
   EXPECT_NEAR(claimed, square, 0.4 * square);
@@ -231,8 +226,8 @@ TEST(ExposureSpread, CountsAWalkOnce)
   }
   // Of 100 photons both. Neighbourhoods of 100 cells are few, so each mean square is within a
   // factor of 3.
-  EXPECT_NEAR(std::log(squaredDeviation(often.exposure, 8 * kPhoton) /
-                squaredDeviation(anew.exposure, 8 * kPhoton)),
+  EXPECT_NEAR(std::log(squaredDeviation(often.exposure, 8 * kJoules) /
+                squaredDeviation(anew.exposure, 8 * kJoules)),
     0, std::log(3));
 }
 
@@ -260,31 +255,27 @@ TEST(ExposureSpread, GoesOnWhereCellsAreTurnedOver)
     EXPECT_EQ(dark.exposure[cell], 0);
     both.push_back(light.exposure[cell]);
   }
-  EXPECT_LT(squaredDeviation(both, 2 * kPhoton), 3.0 / 60);
+  EXPECT_LT(squaredDeviation(both, 2 * kJoules), 3.0 / 60);
 }
 
 // Two photons a cell are too few for an error; of the 100 around it is known. Twelve surfaces of 40
 // * 40 / 50 neighbourhoods: the share has a standard deviation of 1.1 %.
 TEST(ExposureSpread, HasIntervalsThatHoldTheTruth)
 {
-  IntervalCount intervals(kReplicates);
+  IntervalCount intervals(kDoseReplicates);
   for (unsigned seed = 1; seed <= 12; ++seed)
   {
     Dose dose(1600);
     dose.add(poisson(2, 100 + seed));
-    EXPECT_TRUE(std::isnan(dose.sums.standardError(0, dose.exposure[0])));
+    EXPECT_TRUE(std::isnan(dose.error(0)));
     dose.spread(squares(40), 100);
     for (std::size_t i = 0; i < dose.exposure.size(); ++i)
     {
-      const double error = dose.sums.standardError(i, dose.exposure[i]);
-      if (!std::isnan(error))
-      {
-        intervals.add(dose.exposure[i] - 2 * kPhoton, error);
-      }
+      intervals.add(dose.exposure[i] - 2 * kJoules, dose.error(i));
     }
   }
   intervals.expectHonest();
-  EXPECT_GT(intervals.known(), 0.95 * 12 * 1600);
+  EXPECT_GT(intervals.shareKnown(), 0.95);
   EXPECT_GT(intervals.shareThatHolds(), 0.93);
   EXPECT_LT(intervals.shareThatHolds(), 0.98);
 }
@@ -299,7 +290,7 @@ TEST(ExposureSpread, KnowsNoErrorOfFewPhotons)
   EXPECT_GT(dose.exposure[399], 0);
   for (std::size_t i = 0; i < 400; ++i)
   {
-    EXPECT_TRUE(std::isnan(dose.sums.standardError(i, dose.exposure[i])));
+    EXPECT_TRUE(std::isnan(dose.error(i)));
   }
 }
 
@@ -314,6 +305,123 @@ TEST(ExposureSpread, LeavesWhatHasNoNoise)
     dose.spread(squares(10), 1e6);
     EXPECT_EQ(dose.exposure, before);
   }
+}
+
+struct Sample
+{
+  double time, value;
+};
+
+/// They must come in the order of time.
+struct Sums
+{
+  double total = 0, first = -HUGE_VAL, last = -HUGE_VAL;
+  void add(const Sample& sample, double weight)
+  {
+    EXPECT_LT(last, sample.time);
+    first = std::isfinite(first) ? first : sample.time;
+    last = sample.time;
+    total += weight * sample.value;
+  }
+  void close() {}
+  void append(const Sums& later)
+  {
+    EXPECT_EQ(last, later.first);
+    last = later.last;
+    total += later.total;
+  }
+};
+
+using Rule = AdaptiveTrapezoids<Sample, Sums>;
+
+/// One block; its error is that of the trapezoid over both intervals.
+std::vector<IntervalMeasure> measure(const std::array<const Sample*, 3>& at)
+{
+  const double first = trapezoidWeight(at[0]->time, at[1]->time) * (at[0]->value + at[1]->value);
+  const double second = trapezoidWeight(at[1]->time, at[2]->time) * (at[1]->value + at[2]->value);
+  const double whole = trapezoidWeight(at[0]->time, at[2]->time) * (at[0]->value + at[2]->value);
+  return { { first + second, std::abs(first + second - whole), 0 } };
+}
+
+Rule integrated(const std::function<double(double)>& f, const TimeSpan& span, double tolerance)
+{
+  constexpr std::size_t mostIntervals = 100000;
+  Rule rule(firstTimes({}, span, 4), tolerance, mostIntervals);
+  double progress = 0;
+  while (!rule.isDone())
+  {
+    EXPECT_GE(rule.progress(), progress);
+    progress = rule.progress();
+    rule.take({ rule.nextTime(), f(rule.nextTime()) }, measure);
+  }
+  EXPECT_EQ(rule.progress(), 1);
+  return rule;
+}
+
+TEST(AdaptiveTrapezoids, AStraightLineNeedsTheFirstTimesAlone)
+{
+  Rule rule = integrated([](double t) { return 3 + 2 * t; }, { 0, 8 }, 1e-9);
+  EXPECT_EQ(rule.times(), (std::vector<double>{ 0, 2, 4, 6, 8 }));
+  EXPECT_EQ(rule.takeSums().total, 88);
+}
+
+TEST(AdaptiveTrapezoids, TheErrorIsBelowTheTolerance)
+{
+  const struct
+  {
+    std::function<double(double)> f;
+    double integral; // over 0..1
+  } cases[] = {
+    { [](double t) { return t * t; }, 1 / 3.0 },
+    { [](double t) { return std::sqrt(t); }, 2 / 3.0 },
+    { [](double t) { return t < 0.3 ? 0.0 : 1.0; }, 0.7 },
+    { [](double t) { return 1e-4 / ((t - 0.6) * (t - 0.6) + 1e-4); },
+      1e-2 * (std::atan(40.0) + std::atan(60.0)) },
+  };
+  for (const auto& [f, integral] : cases)
+  {
+    for (const double tolerance : { 1e-2, 1e-4 })
+    {
+      Rule rule = integrated(f, { 0, 1 }, tolerance);
+      EXPECT_LE(rule.halving().relativeError(), tolerance);
+      EXPECT_NEAR(rule.takeSums().total / integral, 1, tolerance) << integral;
+    }
+  }
+}
+
+// Whatever was settled when, the sums are the trapezoidal rule over all times that were visited.
+TEST(AdaptiveTrapezoids, SumsAreThoseOfAllTimes)
+{
+  const auto f = [](double t) { return std::exp(-5 * t) + (t > 0.71 ? 1 : 0); };
+  Rule rule = integrated(f, { 0, 1 }, 1e-3);
+  const std::vector<double> times = rule.times();
+  EXPECT_GT(times.size(), 20u);
+  double total = 0;
+  for (std::size_t i = 1; i < times.size(); ++i)
+  {
+    ASSERT_LT(times[i - 1], times[i]);
+    total += trapezoidWeight(times[i - 1], times[i]) * (f(times[i - 1]) + f(times[i]));
+  }
+  EXPECT_NEAR(rule.takeSums().total, total, 1e-14);
+}
+
+TEST(AdaptiveTrapezoids, ItEndsWhereNoMoreIntervalsAreAllowed)
+{
+  constexpr std::size_t mostIntervals = 12;
+  Rule rule({ 0, 1, 2 }, 1e-12, mostIntervals);
+  while (!rule.isDone())
+  {
+    rule.take({ rule.nextTime(), std::exp(rule.nextTime()) }, measure);
+  }
+  EXPECT_EQ(rule.times().size(), mostIntervals + 1);
+  EXPECT_GT(rule.halving().relativeError(), 1e-12);
+}
+
+TEST(IntegrationTimes, FirstTimesKeepStepsAndAreAnOddNumber)
+{
+  EXPECT_EQ(firstTimes({ -1, 0, 3, 9 }, { 0, 4 }, 4), (std::vector<double>{ 0, 1, 2, 3, 4 }));
+  EXPECT_EQ(firstTimes({}, { 0, 3 }, 3), (std::vector<double>{ 0, 0.5, 1, 2, 3 }));
+  EXPECT_EQ(firstTimes({ 0.5 }, { 0, 3 }, 1), (std::vector<double>{ 0, 0.5, 3 }));
 }
 
 }

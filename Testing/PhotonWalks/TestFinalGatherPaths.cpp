@@ -9,12 +9,12 @@ namespace irradiance::test
 namespace
 {
 
-constexpr std::size_t kAll = 1000000; // more than any test shoots
+constexpr std::size_t kAllWalks = 1000000; // more than any test shoots
 
-EngineSettings settingsOf(std::uint32_t walks)
+EngineSettings pathSettings(std::uint32_t walks)
 {
-  Shoot settings(walks);
-  settings.gathersDirectLight = settings.keepPhotons = settings.listRepaired = true;
+  EngineSettings settings = Shoot(walks).gathered().kept();
+  settings.listRepaired = true;
   return settings;
 }
 
@@ -47,7 +47,7 @@ TEST(FinalGatherPaths, BeginOnTheLight)
   const MovingScene scene(3, true, 34, true);
   const SceneObjects objects = inTwoGroups(scene.objects());
   Execution serial;
-  UpdatedEngine engine(objects, settingsOf(5000), serial);
+  UpdatedEngine engine(objects, pathSettings(5000), serial);
   ASSERT_EQ(engine.walks().sets().size(), 2 * (1 + objects.dynamicObjects.size()));
   std::int64_t born = 0, bornAtDynamic = 0;
   for (const WalkSet& set : engine.walks().sets())
@@ -58,7 +58,7 @@ TEST(FinalGatherPaths, BeginOnTheLight)
   }
   EXPECT_GT(bornAtDynamic, 50);
   const WalkPaths paths(engine);
-  const std::vector<std::uint32_t> all = paths.first(kAll);
+  const std::vector<std::uint32_t> all = paths.first(kAllWalks);
   ASSERT_EQ(static_cast<std::int64_t>(all.size()), born);
   Power power;
   std::size_t segments = 0;
@@ -84,10 +84,8 @@ TEST(FinalGatherPaths, BeginOnTheLight)
 // and few else.
 TEST(FinalGatherPaths, FewAreSpreadAndStay)
 {
-  MovingScene scene(1, true, 32);
-  SceneObjects objects = scene.objects();
-  Execution serial;
-  UpdatedEngine engine(objects, settingsOf(20000), serial);
+  SceneObjects objects = MovingScene(1, true, 32).objects();
+  UpdatedEngine engine(objects, pathSettings(20000));
   const auto chosen = [&] {
     const std::vector<std::uint32_t> walks = WalkPaths(engine).first(100);
     EXPECT_EQ(walks.size(), 100u);
@@ -97,7 +95,7 @@ TEST(FinalGatherPaths, FewAreSpreadAndStay)
   const std::vector<std::uint32_t> before = chosen();
   const WalkSet& ofStatics = engine.walks().sets()[0];
   const double share = static_cast<double>(bornIn(ofStatics)) /
-    static_cast<double>(WalkPaths(engine).first(kAll).size());
+    static_cast<double>(WalkPaths(engine).first(kAllWalks).size());
   const auto few = static_cast<double>(std::count_if(before.begin(), before.end(),
     [&](std::uint32_t walk) { return walk < ofStatics.plan().endWalk(); }));
   EXPECT_NEAR(few / 100, share, 0.08);
@@ -108,7 +106,7 @@ TEST(FinalGatherPaths, FewAreSpreadAndStay)
   }
   EXPECT_GE(sixths.size(), 6u);
   objects.dynamicObjects[0].worldFromObject.translation += Vector3(0.05, 0, 0.02);
-  engine.update(objects, settingsOf(20000), serial);
+  engine.update(objects, pathSettings(20000));
   const std::vector<std::uint32_t> after = chosen();
   std::vector<std::uint32_t> both;
   std::set_intersection(
@@ -122,11 +120,11 @@ TEST(FinalGatherPaths, SayWhatWasRepaired)
 {
   MovingScene scene(1, true, 35, true);
   Execution serial;
-  UpdatedEngine engine(scene.objects(), settingsOf(3000), serial);
+  UpdatedEngine engine(scene.objects(), pathSettings(3000), serial);
   const auto shown = [&] {
     const WalkPaths paths(engine);
     std::map<std::uint32_t, WalkPath> all;
-    for (const WalkPath& path : paths.paths(paths.first(kAll), serial))
+    for (const WalkPath& path : paths.paths(paths.first(kAllWalks), serial))
     {
       if (path.walk < engine.walks().sets()[0].plan().endWalk())
       {
@@ -137,7 +135,7 @@ TEST(FinalGatherPaths, SayWhatWasRepaired)
   };
   const auto before = shown();
   scene.nextFrame();
-  engine.update(scene.objects(), settingsOf(3000), serial);
+  engine.update(scene.objects(), pathSettings(3000), serial);
   std::size_t again = 0, repaired = 0, born = 0;
   for (const auto& [walk, path] : shown())
   {
@@ -166,16 +164,15 @@ TEST(FinalGatherPaths, SayWhatWasRepaired)
 // Those that touch a cell are those whose points lie on it.
 TEST(FinalGatherPaths, TouchingACell)
 {
-  ObjectBuilder room, board;
-  room.addBox(box({ 0, 0, 0 }, { 2, 2, 2 }), 2, grey(0.6), true);
+  ObjectBuilder room = plainRoom({ 2, 2, 2 }, 2, grey(0.6)), board;
   room.addQuad({ 0.5, 0.5, 1.9 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(0.3, 5)); // cell 24
   board.addQuad({ -0.3, -0.3, 0 }, { 0.6, 0, 0 }, { 0, 0.6, 0 }, 1, 1, grey(0.5));
   Execution serial;
   UpdatedEngine engine(
-    { room.build(), { board.build(shift({ 1, 1, 0.5 })) } }, settingsOf(3000), serial);
+    { room.build(), { board.build(shift({ 1, 1, 0.5 })) } }, pathSettings(3000), serial);
   const WalkPaths paths(engine);
   std::vector<std::uint32_t> low, onBoard, onLamp;
-  const std::vector<std::uint32_t> all = paths.first(kAll);
+  const std::vector<std::uint32_t> all = paths.first(kAllWalks);
   for (const WalkPath& path : paths.paths(all, serial))
   {
     const auto touches = [&](double height, double from, double to) {
@@ -189,9 +186,9 @@ TEST(FinalGatherPaths, TouchingACell)
     touches(1.9, 0.5, 1.5) ? onLamp.push_back(path.walk) : void();
   }
   EXPECT_EQ(onLamp, all) << "there is one lamp";
-  EXPECT_EQ(paths.touching({ 0, 24 }, kAll, serial), all);
-  EXPECT_EQ(paths.touching({ 1, 0 }, kAll, serial), onBoard);
-  EXPECT_EQ(paths.touching({ 0, 16 }, kAll, serial), low); // the lower side, by x and y
+  EXPECT_EQ(paths.touching({ 0, 24 }, kAllWalks, serial), all);
+  EXPECT_EQ(paths.touching({ 1, 0 }, kAllWalks, serial), onBoard);
+  EXPECT_EQ(paths.touching({ 0, 16 }, kAllWalks, serial), low); // the lower side, by x and y
   EXPECT_GT(onBoard.size(), 100u);
   EXPECT_GT(low.size(), 100u);
 }

@@ -35,17 +35,13 @@ std::vector<double> longRun(const SceneObjects& objects)
 {
   EngineSettings settings = towards(0, 60000, 256);
   settings.replicates = 1;
-  std::vector<double> sum;
-  for (const std::uint64_t seed : { 1001, 1002 })
+  const SeedMeans means = meansOf(objects, 2, settings, 1001);
+  std::vector<double> found;
+  for (const ReplicateMean& cell : means.cells())
   {
-    settings.seed = seed;
-    UpdatedEngine engine(objects, settings);
-    const std::vector<double> found = irradiances(engine);
-    sum.resize(found.size());
-    std::transform(found.begin(), found.end(), sum.begin(), sum.begin(),
-      [](double one, double all) { return all + 0.5 * one; });
+    found.push_back(cell.mean());
   }
-  return sum;
+  return found;
 }
 
 /// Notes whether progress ever went back.
@@ -105,12 +101,11 @@ TEST(FinalGatherTarget, RaysReachItWhereWalksAreCapped)
 TEST(FinalGatherTarget, DoublesWhatIsMissing)
 {
   const SceneObjects objects = roomWithBall();
-  const auto reach = [&](const EngineSettings& settings, IrradianceEngine& engine) {
-    Execution serial;
-    engine.update(objects, settings, serial);
+  const auto reach = [&](const EngineSettings& settings, UpdatedEngine& engine) {
+    engine.update(objects, settings);
     EXPECT_LE(engine.reachedRelativeError(), settings.targetRelativeError);
   };
-  IrradianceEngine fewRays, fewWalks, ownSums;
+  UpdatedEngine fewRays, fewWalks, ownSums;
   reach(towards(0.12, 80000, 8), fewRays);
   EXPECT_EQ(fewRays.numberOfWalks(), 80000u);
   EXPECT_GE(fewRays.numberOfGatherRays(), 32u);
@@ -142,11 +137,9 @@ TEST(FinalGatherTarget, ThatIsMetAtOnceChangesNoBit)
   const SceneObjects objects = roomWithBall();
   EngineSettings settings = towards(1, 20000, 16);
   settings.maximumNumberOfWalks = settings.numberOfWalks; // with which photons start
-  IrradianceEngine with, without;
-  Execution serial;
-  with.update(objects, settings, serial);
+  const UpdatedEngine with(objects, settings);
   settings.targetRelativeError = 0;
-  without.update(objects, settings, serial);
+  const UpdatedEngine without(objects, settings);
   EXPECT_EQ(irradiances(with), irradiances(without));
   // But for the noise of cells, which a target needs.
   const auto bytes = [](const IrradianceEngine& engine) {
@@ -160,8 +153,7 @@ TEST(FinalGatherTarget, KeepsThePathsOfAllRounds)
 {
   SceneObjects objects = roomWithBall();
   EngineSettings settings = towards(0.1, 20000, 16);
-  Execution serial;
-  UpdatedEngine engine(objects, settings, serial);
+  UpdatedEngine engine(objects, settings);
   const std::int64_t all = engine.statistics().followedPaths;
   const auto rays = static_cast<std::int64_t>(engine.numberOfGatherRays());
   EXPECT_GE(rays, 64);
@@ -173,20 +165,68 @@ TEST(FinalGatherTarget, KeepsThePathsOfAllRounds)
   const std::size_t large = cells.sizeOf(0) + 1 + cells.sizeOf(2) - 1;
   const std::int64_t paths = rays * static_cast<std::int64_t>(4 * large + cells.sizeOf(1));
   EXPECT_EQ(all, paths);
-  engine.update(objects, settings, serial);
+  engine.update(objects, settings);
   EXPECT_EQ(engine.statistics().followedPaths, 0) << "nothing has moved";
   objects.dynamicObjects[0].worldFromObject.translation.x() += 0.01;
-  engine.update(objects, settings, serial);
+  engine.update(objects, settings);
   EXPECT_EQ(engine.numberOfGatherRays(), static_cast<std::uint64_t>(rays));
   EXPECT_GE(engine.statistics().followedPaths, rays * static_cast<std::int64_t>(cells.sizeOf(1)))
     << "what moves gathers anew";
   EXPECT_LT(engine.statistics().followedPaths, all / 2);
   const std::size_t bytes = engine.statistics().historyBytes;
   settings.targetRelativeError = 1;
-  engine.update(objects, settings, serial);
+  engine.update(objects, settings);
   EXPECT_EQ(engine.numberOfGatherRays(), 16u);
   EXPECT_LT(engine.statistics().historyBytes, bytes / 2);
 }
+
+class ErrorBarUpdates : public BothModes
+{
+};
+
+// A new target continues from the existing walks, and the old target returns to them.
+TEST_P(ErrorBarUpdates, TurningTheDialEqualsAFreshStart)
+{
+  const SceneObjects objects = shadedRoom(1);
+  EngineSettings settings = Shoot(scaled(1000)).errors(16).gathered(isGathered());
+  settings.maximumNumberOfWalks = 64000;
+  UpdatedEngine engine;
+  std::vector<std::uint32_t> walks;
+  for (const double target : { 0.5, 0.2, 0.1, 0.3, 0.0001, 0.5 })
+  {
+    settings.targetRelativeError = target;
+    engine.update(objects, settings);
+    EXPECT_TRUE(isShownAsFresh(engine)) << "target " << target;
+    walks.push_back(engine.numberOfWalks());
+    EXPECT_NEAR(engine.watts(engine.balance().emitted[0]), 100, 1e-9);
+    expectBalance(engine);
+  }
+  EXPECT_LT(walks[0], walks[1]);
+  EXPECT_LT(walks[1], walks[2]);
+  EXPECT_LT(walks[3], walks[2]);
+  EXPECT_EQ(walks[4], settings.maximumNumberOfWalks) << "cannot be reached";
+  EXPECT_EQ(walks[5], walks[0]);
+  settings.targetRelativeError = 0;
+  engine.update(objects, settings);
+  EXPECT_TRUE(isShownAsFresh(engine));
+}
+
+// A tenth of the area is the inside of a box that no light can reach.
+TEST_P(ErrorBarUpdates, DarkCellsDoNotMakeTheDialRunForever)
+{
+  ObjectBuilder room;
+  room.addBox(box({ -2, -2, -2 }, { 2, 2, 2 }), 2, grey(0.3), true);
+  room.addBox(box({ -1.5, -1, -1 }, { -0.3, 1, 1 }), 1, grey(0.5));
+  room.addBox(box({ -1.4, -0.9, -0.9 }, { -0.4, 0.9, 0.9 }), 2, grey(0.5), true);
+  room.addPointLight({ 1, 0, 0 }, 100);
+  const EngineSettings settings =
+    Shoot(1000).errors(16).gathered(isGathered()).target(kIsSanitized ? 0.5 : 0.2, 4000000);
+  UpdatedEngine engine({ room.build(), {} }, settings);
+  EXPECT_LE(engine.reachedRelativeError(), settings.targetRelativeError);
+  EXPECT_LT(engine.numberOfWalks(), settings.maximumNumberOfWalks);
+}
+
+INSTANTIATE_TEST_SUITE_P(ShotAndGathered, ErrorBarUpdates, testing::Bool(), nameOfMode);
 
 }
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../RayCasting/TestMeshes.h"
-#include "BounceFront.h"
-#include "Kit.h"
-
 // Law: what is stored of a segment on the grid is within 1/2 + kBlur of it, and what is cut off is
 // outside the grid's inner part; the same bits on every instruction set.
+
+#include "../RayCasting/TestMeshes.h"
+#include "BounceFront.h"
+#include "History/PointGrid.h"
+#include "Kit.h"
 
 namespace irradiance::test
 {
@@ -23,10 +24,7 @@ PointGrid randomGrid(RandomVectors& random)
   const Vector3 center = unit * random.powerOfTwo(-10, 20) * random.direction();
   const Vector3 half = unit *
     Vector3(1, random.powerOfTwo(-14, 0), random.uniform() > 0.8 ? 0 : random.powerOfTwo(-3, 0));
-  Box box;
-  box.add(Vector3(center - half));
-  box.add(Vector3(center + half));
-  return PointGrid(box);
+  return PointGrid(box(center - half, center + half));
 }
 
 /// Some are whole, some begin or end far outside, some escape or run along an axis.
@@ -44,6 +42,16 @@ BounceSegment randomSegment(RandomVectors& random, const PointGrid& grid)
     segment.direction = Eigen::Vector3f::Unit(static_cast<int>(random.uniform(0, 3)));
   }
   return segment;
+}
+
+BounceFront randomFront(RandomVectors& random, const PointGrid& grid, std::size_t size)
+{
+  BounceFront front;
+  while (front.size() < size)
+  {
+    front.add(randomSegment(random, grid));
+  }
+  return front;
 }
 
 struct ExactRay
@@ -137,11 +145,7 @@ TEST(GridSegments, AreWhereTheSegmentsAre)
   for (int round = 0; round < 2000 / kFewer; ++round)
   {
     const PointGrid grid = randomGrid(random);
-    BounceFront front;
-    for (std::size_t i = 0; i < GridSegments::kSize - 3; ++i)
-    {
-      front.add(randomSegment(random, grid));
-    }
+    BounceFront front = randomFront(random, grid, GridSegments::kSize - 3);
     GridSegments segments;
     placeOnGrid(grid, front.columns().rays, 0, front.size(), segments);
     for (std::size_t i = 0; i < front.size(); ++i)
@@ -167,11 +171,7 @@ TEST(GridSegments, AreTheSameOnEveryInstructionSet)
   for (int round = 0; round < 200 / kFewer; ++round)
   {
     const PointGrid grid = randomGrid(random);
-    BounceFront front;
-    for (std::size_t i = 0; i < GridSegments::kSize; ++i)
-    {
-      front.add(randomSegment(random, grid));
-    }
+    BounceFront front = randomFront(random, grid, GridSegments::kSize);
     GridSegments first;
     for (const SimdLevel level : simdLevels())
     {
@@ -189,11 +189,7 @@ TEST(GridSegments, DoNotDependOnTheirNeighbours)
 {
   RandomVectors random(3);
   const PointGrid grid = randomGrid(random);
-  BounceFront front;
-  for (std::size_t i = 0; i < GridSegments::kSize; ++i)
-  {
-    front.add(randomSegment(random, grid));
-  }
+  BounceFront front = randomFront(random, grid, GridSegments::kSize);
   const BounceColumns columns = front.columns();
   GridSegments together;
   placeOnGrid(grid, columns.rays, 0, front.size(), together);
@@ -213,20 +209,14 @@ TEST(GridSegments, DoNotDependOnTheirNeighbours)
 TEST(GridSegments, ScaleWithTheScene)
 {
   RandomVectors random(4);
-  Box box;
-  box.add(Vector3(-3, 1, 5));
-  box.add(Vector3(4, 2, 6));
+  const Vector3 lower(-3, 1, 5), upper(4, 2, 6);
   for (const double scale : { 0x1p-30, 0x1p50 })
   {
-    Box scaledBox;
-    scaledBox.add(Vector3(scale * box.lower));
-    scaledBox.add(Vector3(scale * box.upper));
-    const PointGrid grid(box), scaledGrid(scaledBox);
-    BounceFront front, scaledFront;
-    for (std::size_t i = 0; i < GridSegments::kSize; ++i)
+    const PointGrid grid(box(lower, upper)), scaledGrid(box(scale * lower, scale * upper));
+    BounceFront front = randomFront(random, grid, GridSegments::kSize), scaledFront;
+    for (std::size_t i = 0; i < front.size(); ++i)
     {
-      BounceSegment segment = randomSegment(random, grid);
-      front.add(segment);
+      BounceSegment segment = front[i];
       segment.origin *= scale;
       segment.distance *= scale;
       scaledFront.add(segment);
@@ -235,6 +225,150 @@ TEST(GridSegments, ScaleWithTheScene)
     placeOnGrid(grid, front.columns().rays, 0, front.size(), segments);
     placeOnGrid(scaledGrid, scaledFront.columns().rays, 0, front.size(), scaled);
     EXPECT_EQ(std::memcmp(&segments, &scaled, sizeof scaled), 0);
+  }
+}
+
+// Law: the grid of an ordinary scene holds all of it; what is far away makes no grid coarse.
+
+const Vector3 kFarAway(600, 0, 800); ///< 1 km
+const Box kRoom = box({ 0, 0, 0 }, { 4, 4, 3 });
+
+/// A room, a lamp and a ball that may move.
+struct Room
+{
+  ObjectBuilder still;
+  std::vector<SceneObject> dynamicObjects;
+  Box lights;
+
+  explicit Room(int cells = 1) { still.addBox(kRoom, cells, grey(0.5), true); }
+
+  void addBall(const Vector3& place, double radius, int n)
+  {
+    dynamicObjects.push_back(ball(place, radius, n));
+  }
+
+  SceneObjects objects() const { return { still.build(), dynamicObjects }; }
+  Box bounds() const
+  {
+    Box bounds = lights;
+    const SceneObjects all = objects();
+    for (std::uint32_t i = 0; i < all.size(); ++i)
+    {
+      bounds.add(all[i].worldBounds());
+    }
+    return bounds;
+  }
+  PointGrid grid() const { return pointGrid(objects(), bounds()); }
+};
+
+bool isSame(const PointGrid& a, const PointGrid& b)
+{
+  return a.center == b.center && a.step == b.step;
+}
+
+bool holds(const PointGrid& grid, const Box& box)
+{
+  return grid(box.lower).cwiseAbs().maxCoeff() <= PointGrid::kReach &&
+    grid(box.upper).cwiseAbs().maxCoeff() <= PointGrid::kReach;
+}
+
+/// The steps are at most this length.
+void expectRoom(const PointGrid& grid, double step)
+{
+  EXPECT_TRUE(holds(grid, kRoom));
+  EXPECT_LE(grid.step.maxCoeff(), step);
+}
+
+TEST(PointGrid, HoldsAllOfAnOrdinaryRoom)
+{
+  for (const int cells : { 1, 2, 7 })
+  {
+    Room room(cells);
+    room.addBall({ 2, 2, 1 }, 0.3, 6);
+    EXPECT_TRUE(isSame(room.grid(), PointGrid(kRoom))) << cells;
+    // Many small triangles in one place, and things beside the house.
+    room.addBall({ 1, 1, 1 }, 0.02, 60);
+    room.addBall({ 20, 2, 1 }, 0.3, 6);
+    room.lights.add(Vector3(2, 30, 3));
+    EXPECT_TRUE(isSame(room.grid(), PointGrid(room.bounds()))) << cells;
+  }
+}
+
+TEST(PointGrid, IsFineWhereSomethingIsFarAway)
+{
+  for (const double distances : { 1.0, 1e2, 1e6, 1e12 })
+  {
+    Room light, lamp, vehicle;
+    light.lights.add(distances * kFarAway);
+    lamp.still.addQuad(distances * kFarAway, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(0, 1));
+    // Has more triangles than the room, and less area.
+    vehicle.addBall(distances * kFarAway, 1.5, 20);
+    for (Room* room : { &light, &lamp, &vehicle })
+    {
+      room->addBall({ 3, 3, 1 }, 0.3, 6);
+      expectRoom(room->grid(), 2e-3);
+    }
+  }
+}
+
+TEST(PointGrid, HoldsDynamicObjectsThatAreNear)
+{
+  Room room;
+  room.lights.add(kFarAway);
+  room.addBall({ 40, 2, 1 }, 0.3, 6); // farther than the room is cut otherwise
+  const PointGrid grid = room.grid();
+  expectRoom(grid, 2e-3);
+  EXPECT_TRUE(holds(grid, room.objects().dynamicObjects[0].worldBounds()));
+  room.dynamicObjects[0].isPresent = false;
+  EXPECT_FALSE(isSame(room.grid(), grid));
+}
+
+TEST(PointGrid, HoldsWhatIsThere)
+{
+  // Only far things: these are what matters.
+  Room far;
+  far.still = ObjectBuilder();
+  far.addBall(kFarAway, 0.3, 6);
+  EXPECT_TRUE(isSame(far.grid(), PointGrid(far.bounds())));
+  // No surface.
+  Room lights;
+  lights.still = ObjectBuilder();
+  EXPECT_TRUE(isSame(lights.grid(), PointGrid(Box())));
+  lights.lights.add(kFarAway);
+  EXPECT_TRUE(isSame(lights.grid(), PointGrid(lights.lights)));
+  // A floor, and a far light above it.
+  Room floor;
+  floor.still = ObjectBuilder();
+  floor.still.addQuad({ 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, 1, 1, grey(0.5));
+  EXPECT_TRUE(isSame(floor.grid(), PointGrid(floor.bounds())));
+  floor.lights.add(Vector3(1, 1, 1e4));
+  const PointGrid grid = floor.grid();
+  EXPECT_TRUE(holds(grid, box({ 0, 0, 0 }, { 4, 4, 0 })));
+  EXPECT_LE(grid.step.maxCoeff(), 1e-3);
+}
+
+TEST(PointGrid, FollowsTheScaleOfTheScene)
+{
+  Room room;
+  room.addBall(kFarAway, 0.3, 6);
+  const SceneObjects objects = room.objects();
+  const PointGrid grid = pointGrid(objects, room.bounds());
+  for (const double scale : { 0x1p-100, 0x1p100 })
+  {
+    std::vector<Triangle> triangles;
+    for (const Triangle& triangle : objects.staticObject.mesh().triangles())
+    {
+      triangles.push_back({ scale * triangle.a, scale * triangle.b, scale * triangle.c });
+    }
+    SceneObjects scaled = objects;
+    scaled.staticObject.body = std::make_shared<RigidObject>(TriangleMesh(triangles));
+    AffineMap& pose = scaled.dynamicObjects[0].worldFromObject;
+    pose.linear *= scale;
+    pose.translation *= scale;
+    const Box bounds = room.bounds();
+    const PointGrid other = pointGrid(scaled, { scale * bounds.lower, scale * bounds.upper });
+    EXPECT_EQ(other.center, Vector3(scale * grid.center));
+    EXPECT_EQ(other.step, Vector3(scale * grid.step));
   }
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "FrontWorld.h"
 #include "Kit.h"
 #include "ShotWalk.h"
 
@@ -7,67 +8,48 @@ namespace irradiance::test
 namespace
 {
 
-/// Everything needed to shoot walks into a frame, without an engine.
-class TracedFrame
+/// A scene into which walks are shot one by one, without an engine.
+class TracedFrame : public FrontWorld
 {
 public:
-  TracedFrame(const SceneObjects& objects, const EngineSettings& settings)
-    : objects_(objects)
-    , lights_(objects, settings.numberOfWalks)
-    , samples_(settings.seed)
-    , triangles_(objects_)
-    , tracer_(scene_, objects_, triangles_, lights_, samples_)
+  TracedFrame(const SceneObjects& objects, const Shoot& settings)
+    : FrontWorld(
+        objects, WalkPlan(settings.numberOfWalks, settings.numberOfWalks, 1), settings.seed)
   {
-    scene_.setTraversalMode(TraversalMode::Sequential);
-    scene_.setStatic(objects.staticObject.body);
-    scene_.setDynamic(objects.dynamicBodies());
-    scene_.setPointSources(lights_.boundsInAir());
-    scene_.commit({});
   }
-  TracedFrame(const TracedFrame&) = delete;
-
   std::vector<WalkSegment> trace(std::uint32_t walk) const
   {
-    return shotWalk(tracer_, objects_, walk);
+    return shotWalk(tracer(), objects(), walk);
   }
-  Power powerOf(std::uint32_t walk) const { return tracer_.stages().powerOf(walk); }
-  Hit cast(const WalkSegment& segment) const { return scene_.cast(segment.ray); }
   bool isMoved(const TracedFrame& before, const Hit& hit) const
   {
     if (!hit || hit.id.object == 0)
     {
       return false;
     }
-    const SceneObject &now = objects_[hit.id.object], &then = before.objects_[hit.id.object];
+    const SceneObject &now = objects()[hit.id.object], &then = before.objects()[hit.id.object];
     return now.body != then.body || now.worldFromObject != then.worldFromObject;
   }
-
-private:
-  SceneObjects objects_;
-  Scene scene_;
-  LightTable lights_;
-  SobolSequence samples_;
-  SceneTriangles triangles_;
-  WalkTracer tracer_;
 };
 
-struct Counts
+struct InvalidCounts
 {
   std::int64_t invalid = 0, repaired = 0;
 };
 
 /// By definition: a segment is stale if the object that it hit has moved, or if a cast into the
 /// whole new scene finds another hit.
-Counts countByDefinition(const TracedFrame& before, const TracedFrame& now, std::uint32_t walks)
+InvalidCounts countByDefinition(
+  const TracedFrame& before, const TracedFrame& now, std::uint32_t walks)
 {
-  Counts counts;
+  InvalidCounts counts;
   for (std::uint32_t walk = 0; walk < walks; ++walk)
   {
     const std::vector<WalkSegment> trace = before.trace(walk);
     for (std::uint32_t i = 0; i < trace.size(); ++i)
     {
       const Hit& old = trace[i].hit;
-      if (now.isMoved(before, old) || now.cast(trace[i]) != old)
+      if (now.isMoved(before, old) || now.scene().cast(trace[i].ray) != old)
       {
         ++counts.invalid;
         counts.repaired += now.trace(walk).size() - i;
@@ -84,16 +66,15 @@ TEST(InvalidWalks, AreThoseThatChangedByDefinition)
   for (const bool isClosed : { true, false })
   {
     MovingScene scene(1, isClosed, 71, isClosed);
-    Shoot settings(scaled(3000));
-    Execution execution;
-    UpdatedEngine engine(scene.objects(), settings, execution);
+    Shoot settings(scaled(1000));
+    UpdatedEngine engine(scene.objects(), settings);
     auto before = std::make_unique<TracedFrame>(scene.objects(), settings);
     for (int frame = 1; frame <= 12; ++frame)
     {
       scene.nextFrame();
       auto now = std::make_unique<TracedFrame>(scene.objects(), settings);
-      engine.update(scene.objects(), settings, execution);
-      const Counts counts = countByDefinition(*before, *now, settings.numberOfWalks);
+      engine.update(scene.objects(), settings);
+      const InvalidCounts counts = countByDefinition(*before, *now, settings.numberOfWalks);
       EXPECT_EQ(engine.statistics().invalidWalks, counts.invalid) << "frame " << frame;
       EXPECT_EQ(engine.statistics().repairedSegments, counts.repaired) << "frame " << frame;
       before = std::move(now);
@@ -107,18 +88,17 @@ TEST(PowerBalance, EqualsARecountOfTheWalks)
   for (const int bands : { 1, 3 })
   {
     MovingScene scene(bands, false, 12);
-    const Shoot settings(scaled(2000));
-    IrradianceEngine engine;
-    Execution execution;
+    const Shoot settings(scaled(1000));
+    UpdatedEngine engine;
     for (int frame = 0; frame < 15; ++frame, scene.nextFrame())
     {
-      engine.update(scene.objects(), settings, execution);
+      engine.update(scene.objects(), settings);
       const TracedFrame traced(scene.objects(), settings);
       Power received, emitted, escaped, sum;
       std::int64_t segments = 0;
       for (std::uint32_t walk = 0; walk < settings.numberOfWalks; ++walk)
       {
-        emitted += traced.powerOf(walk);
+        emitted += traced.stages().powerOf(walk);
         for (const WalkSegment& segment : traced.trace(walk))
         {
           ++segments;
@@ -133,6 +113,83 @@ TEST(PowerBalance, EqualsARecountOfTheWalks)
       EXPECT_EQ(engine.balance().segments, segments);
     }
   }
+}
+
+/// A room with a point light and a box, all of one reflectance. An open room has no ceiling.
+SceneObjects uniformRoom(double reflectance, bool isClosed)
+{
+  ObjectBuilder room;
+  for (int side = 0; side < (isClosed ? 6 : 5); ++side)
+  {
+    room.addSide(box({ 0, 0, 0 }, { 3, 4, 5 }), side, 2, grey(reflectance), true);
+  }
+  room.addPointLight({ 1, 2, 3 }, 10);
+  ObjectBuilder object;
+  object.addBox(box({ -1, -1, -1 }, { 0, 0, 0 }), 1, grey(reflectance));
+  return { room.build(), { object.build(shift({ 2, 3, 2 })) } };
+}
+
+TEST(PowerBalance, HoldsForAllReflectances)
+{
+  for (const auto& [reflectance, isClosed] :
+    { std::pair(0.0, false), std::pair(0.5, false), std::pair(0.95, false), std::pair(1.0, false),
+      std::pair(0.0, true), std::pair(0.5, true), std::pair(0.95, true) })
+  {
+    SceneObjects objects = uniformRoom(reflectance, isClosed);
+    UpdatedEngine engine;
+    for (int frame = 0; frame < 10; ++frame)
+    {
+      engine.update(objects, Shoot(scaled(isClosed ? 20000 : 3000)));
+      expectBalance(engine);
+      EXPECT_EQ(engine.balance().escaped.isZero(), isClosed);
+      // At 1 every walk survives every hit, and keeps its power.
+      EXPECT_EQ(engine.balance().absorbed.isZero(), reflectance == 1);
+      EXPECT_TRUE(!isClosed || engine.watts(engine.balance().emitted[0]) == 10);
+      objects.dynamicObjects[0].worldFromObject.translation[2] += 0.1;
+    }
+  }
+}
+
+// Light that cannot go anywhere is an error, not an endless run, and the engine stays usable. It
+// comes within the first bounces, also where some walks end; and where walks leave at last, or are
+// absorbed, none comes.
+TEST(PowerBalance, ClosedRoomThatAbsorbsNothingEndsWithAClearError)
+{
+  Shoot settings(100000);
+  UpdatedEngine engine;
+  for (const bool gathers : { false, true })
+  {
+    settings.gathersDirectLight = gathers;
+    for (const double reflectance : { gathers ? 1 - 1e-7 : 1.0, 1 - 1e-6 })
+    {
+      try
+      {
+        engine.update(uniformRoom(reflectance, true), settings);
+        FAIL() << "no exception";
+      }
+      catch (const std::exception& error)
+      {
+        const std::string text = error.what();
+        EXPECT_NE(text.find("reflectances there are too near 1"), std::string::npos) << text;
+        EXPECT_NE(text.find("ended in their first 256 bounces"), std::string::npos) << text;
+      }
+    }
+  }
+  settings.numberOfWalks = scaled(4096);
+  engine.update(uniformRoom(0.999, true), settings);
+  EXPECT_GT(engine.balance().segments, settings.numberOfWalks / 2 * 1000);
+  settings.numberOfWalks = 1000;
+  engine.update(uniformRoom(1, false), settings);
+  EXPECT_TRUE(isAsFresh(engine));
+}
+
+TEST(PowerBalance, ExcessIsBeyondNoise)
+{
+  EXPECT_TRUE(isExcess(1000, -251, 20));
+  EXPECT_FALSE(isExcess(1000, -99, 20));
+  EXPECT_FALSE(isExcess(1000, -1e-8, 0)) << "rounding";
+  EXPECT_TRUE(isExcess(1000, -1e-3, 0));
+  EXPECT_FALSE(isExcess(1000, 500, 1));
 }
 
 }

@@ -14,15 +14,14 @@ struct Followed
 {
   SceneObjects objects;
   EngineSettings settings;
-  IrradianceEngine engine = {};
+  UpdatedEngine engine = {};
 
   AffineMap& pose(std::size_t object) { return objects.dynamicObjects[object].worldFromObject; }
   /// Returns how many paths were followed.
   std::int64_t update()
   {
-    Execution serial;
-    engine.update(objects, settings, serial);
-    EXPECT_TRUE(shownAnswer(engine, objects, settings) == freshShownAnswer(objects, settings));
+    engine.update(objects, settings);
+    EXPECT_TRUE(isShownAsFresh(engine));
     return engine.statistics().followedPaths;
   }
   /// Of all frames in which the coarse part is there, on the average.
@@ -133,19 +132,6 @@ TEST(KeptPaths, KnowThatContactsDecide)
   }
 }
 
-// A target that fewer rounds of walks reach than were shot: what lights bring where they are asked
-// is of these alone.
-TEST(KeptPaths, ReadNoMoreRoundsThanATargetNeeds)
-{
-  Followed scene = statue(Shoot(8000).finalGather(32).errors(4).target(1e-3, 32000));
-  scene.update();
-  EXPECT_EQ(scene.engine.sums().rounds(), 3u);
-  scene.settings.targetRelativeError = 0.9;
-  scene.update();
-  EXPECT_LT(scene.engine.sums().rounds(), 3u);
-  EXPECT_EQ(scene.engine.statistics().shootSeconds, 0);
-}
-
 // What paths depend on besides poses.
 TEST(KeptPaths, AreForgottenWhenAnythingElseChanges)
 {
@@ -165,20 +151,6 @@ TEST(KeptPaths, AreForgottenWhenAnythingElseChanges)
     change();
     EXPECT_GE(scene.update(), 2 * 24 * 6 * 16) << "change " << &change - changes;
   }
-}
-
-// What is away may become another thing: then the cells behind it have other numbers, though
-// nothing moves.
-TEST(KeptPaths, KnowCellsByTheirObjects)
-{
-  Followed scene = statue(kGathering);
-  scene.objects.dynamicObjects[0].isPresent = false;
-  scene.update();
-  scene.objects.dynamicObjects[0] = ball({ 0, 0, 0 }, 0.2, 4, grey(0.2));
-  scene.objects.dynamicObjects[0].isPresent = false;
-  scene.update();
-  scene.pose(1).translation += Vector3(0.1, 0, 0);
-  scene.update();
 }
 
 }

@@ -251,9 +251,8 @@ TEST(UpdateEqualsRebuild, ThereAndBackRestoresEveryBit)
   const int frames = kIsSanitized ? 250 : 10000;
   MovingScene scene(1, false, 23);
   SceneObjects objects = scene.objects();
-  Shoot settings(100);
-  IrradianceEngine engine;
-  Execution execution;
+  const Shoot settings(100);
+  UpdatedEngine engine;
   const auto pose = [&](int frame) {
     for (std::size_t i = 0; i < 3; ++i)
     {
@@ -264,17 +263,17 @@ TEST(UpdateEqualsRebuild, ThereAndBackRestoresEveryBit)
     }
   };
   pose(0);
-  engine.update(objects, settings, execution);
+  engine.update(objects, settings);
   const Answer first = answerOf(engine, objects);
   std::int64_t invalid = 0;
   for (int step = 1; step <= 2 * frames; ++step)
   {
     pose(step <= frames ? step : 2 * frames - step);
-    engine.update(objects, settings, execution);
+    engine.update(objects, settings);
     invalid += engine.statistics().invalidWalks;
   }
   EXPECT_TRUE(answerOf(engine, objects) == first);
-  EXPECT_TRUE(freshAnswer(objects, settings) == first);
+  EXPECT_TRUE(isAsFresh(engine));
   EXPECT_GT(invalid, frames);
 }
 
@@ -286,38 +285,33 @@ TEST(UpdateEqualsRebuild, SignOfAZeroInAPose)
   room.addPointLight({ 1, 1, 1 }, 1);
   wall.addQuad({ -1, 0, 0 }, { 1, 0, 0 }, { 0, 0, 1 }, 2, 2, grey(0.9));
   wall.addQuad({ 0, -1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, 2, 2, grey(0.9));
-  Shoot settings(2000);
+  const Shoot settings(2000);
   SceneObjects objects{ room.build(), { wall.build() } };
   for (unsigned signs = 0; signs < 4096; signs += 31)
   {
-    IrradianceEngine engine;
-    Execution execution;
     AffineMap& pose = objects.dynamicObjects[0].worldFromObject;
     pose = {};
-    engine.update(objects, settings, execution);
+    UpdatedEngine engine(objects, settings);
     for (int i = 0; i < 12; ++i)
     {
       double& entry = i < 9 ? pose.linear(i / 3, i % 3) : pose.translation[i - 9];
       entry = entry == 0 && (signs >> i & 1u) != 0 ? -0.0 : entry;
     }
-    engine.update(objects, settings, execution);
-    ASSERT_TRUE(answerOf(engine, objects) == freshAnswer(objects, settings)) << "signs " << signs;
+    engine.update(objects, settings);
+    ASSERT_TRUE(isAsFresh(engine)) << "signs " << signs;
   }
 }
 
 TEST(SameBits, SidesAddUpToTheSum)
 {
   MovingScene scene(3, false, 42);
-  EngineSettings together, apart;
-  together.numberOfWalks = apart.numberOfWalks = scaled(10000);
-  apart.separateSides = true;
-  IrradianceEngine a, b;
-  Execution execution;
+  const EngineSettings together = Shoot(scaled(10000)), apart = Shoot(scaled(10000)).bySide();
+  UpdatedEngine a, b;
   double back = 0;
   for (int frame = 0; frame < 5; ++frame, scene.nextFrame())
   {
-    a.update(scene.objects(), together, execution);
-    b.update(scene.objects(), apart, execution);
+    a.update(scene.objects(), together);
+    b.update(scene.objects(), apart);
     a.cells().numbers().forEach([&](const SceneCell& cell) {
       for (int band = 0; band < 3; ++band)
       {
@@ -327,12 +321,119 @@ TEST(SameBits, SidesAddUpToTheSum)
         back += ofBack;
       }
     });
-    a.update(scene.objects(), apart, execution);
+    a.update(scene.objects(), apart);
     ASSERT_EQ(a.statistics().shootSeconds, 0) << "sides are always known";
     ASSERT_EQ(a.statistics().repairedSegments, 0);
     ASSERT_TRUE(answerOf(a, scene.objects(), true) == answerOf(b, scene.objects(), true));
   }
   EXPECT_GT(back, 0);
+}
+
+struct Input
+{
+  SceneObjects objects;
+  EngineSettings settings;
+};
+
+struct Change
+{
+  const char* name;
+  std::function<void(Input&)> apply;
+};
+
+SceneObject lamp(double exitance)
+{
+  ObjectBuilder builder;
+  builder.addBox(box({ 0, 0, 0 }, { 0.2, 0.2, 0.2 }), 1, grey(0.3, exitance));
+  return builder.build(shift({ 3, 3, 1 }));
+}
+
+/// Changes between two frames, other than poses of objects that do not shine.
+std::vector<Change> changes()
+{
+  const auto changeSurface = [](SceneObject& object, const auto& change) {
+    auto surface = std::make_shared<Material>(*object.material);
+    change(*surface);
+    object.material = surface;
+  };
+  const auto changeLight = [](SceneObject& object, const auto& change) {
+    auto emission = std::make_shared<Emission>(*object.emission);
+    change(*emission);
+    object.emission = emission;
+  };
+  return {
+    { "moving emitter", [](Input& in) { in.objects.dynamicObjects.back().worldFromObject = {}; } },
+    { "exitance", [](Input& in) { in.objects.dynamicObjects.back() = lamp(5); } },
+    { "static reflectance",
+      [=](Input& in) {
+        changeSurface(in.objects.staticObject, [](Material& s) { s.reflectance[3] = 0.9; });
+      } },
+    { "dynamic reflectance",
+      [=](Input& in) {
+        changeSurface(in.objects.dynamicObjects[0], [](Material& s) { s.reflectance[0] = 0; });
+      } },
+    { "point light",
+      [=](Input& in) {
+        changeLight(in.objects.staticObject, [](Emission& e) { e.points[0].position[2] += 1e-3; });
+      } },
+    { "dimmed lamp",
+      [=](Input& in) {
+        changeLight(in.objects.dynamicObjects.back(), [](Emission& e) { e.exitance[0] *= 0.5; });
+      } },
+    { "static geometry",
+      [](Input& in) { in.objects.staticObject = MovingScene(1, true, 1).objects().staticObject; } },
+    { "object added",
+      [](Input& in) { in.objects.dynamicObjects.push_back(in.objects.dynamicObjects[0]); } },
+    { "object removed",
+      [](Input& in) { in.objects.dynamicObjects.erase(in.objects.dynamicObjects.begin() + 1); } },
+    { "objects swapped",
+      [](Input& in) { std::swap(in.objects.dynamicObjects[0], in.objects.dynamicObjects[1]); } },
+    { "object loose", [](Input& in) { in.objects.dynamicObjects[1].isFlattened = true; } },
+    { "all objects gone", [](Input& in) { in.objects.dynamicObjects.clear(); } },
+    { "seed", [](Input& in) { in.settings.seed = 77; } },
+    { "number of walks", [](Input& in) { in.settings.numberOfWalks += 1; } },
+    { "one walk", [](Input& in) { in.settings.numberOfWalks = 1; } },
+    { "sides", [](Input& in) { in.settings.separateSides = true; } },
+    { "no verification", [](Input& in) { in.settings.verify = false; } },
+    { "cache off", [](Input& in) { in.settings.cacheStaticHits = false; } },
+    { "one tree", [](Input& in) { in.settings.traversalMode = TraversalMode::OneTree; } },
+    { "sequential", [](Input& in) { in.settings.traversalMode = TraversalMode::Sequential; } },
+    { "darkness",
+      [](Input& in) {
+        in.objects.dynamicObjects.pop_back();
+        in.objects.staticObject.emission = nullptr;
+      } },
+    { "bands", [](Input& in) { in.objects = MovingScene(3, false, 31).objects(); } },
+  };
+}
+
+TEST(ChangesShootAnew, EveryChangeThereAndBackEqualsANewEngine)
+{
+  MovingScene scene(1, false, 31);
+  UpdatedEngine engine;
+  for (const Change& change : changes())
+  {
+    const SceneObject still = lamp(2);
+    const auto expectFresh = [&](bool isChanged, const char* when) {
+      Input in{ scene.objects(), Shoot(scaled(3000)) };
+      in.objects.dynamicObjects.push_back(still);
+      if (isChanged)
+      {
+        change.apply(in);
+      }
+      engine.update(in.objects, in.settings);
+      EXPECT_TRUE(isAsFresh(engine)) << change.name << ", " << when;
+    };
+    expectFresh(false, "before");
+    scene.nextFrame();
+    expectFresh(false, "moved");
+    expectFresh(true, "alone");
+    expectFresh(false, "undone");
+    scene.nextFrame();
+    expectFresh(true, "in motion");
+    expectFresh(true, "again");
+    scene.nextFrame();
+  }
 }
 
 }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "HistoryPhotons.h"
 #include "Kit.h"
 #include "Photons/LeafPhotons.h"
 
@@ -50,7 +49,7 @@ TEST(LeafPhotons, EachPhotonIsInALeafOfItsTriangle)
   const MovingScene scene(1, true, 43);
   const SceneObjects& objects = scene.objects();
   Execution execution;
-  UpdatedEngine engine(objects, keepingPhotons(4000), execution);
+  UpdatedEngine engine(objects, Shoot(4000).kept());
   const LeafPhotons leaves = filled(objects, onlySet(engine).history(), execution);
   std::set<SegmentRef> found;
   for (std::uint32_t object = 0; object < objects.size(); ++object)
@@ -95,13 +94,11 @@ TEST(LeafPhotons, EachPhotonIsInALeafOfItsTriangle)
 // The rest keep even their order.
 TEST(LeafPhotons, OnlyTouchedLeavesChange)
 {
-  ObjectBuilder room, thing;
-  room.addBox(box({ 0, 0, 0 }, { 4, 4, 4 }), 12, grey(0.5), true);
+  ObjectBuilder room = plainRoom({ 4, 4, 4 }, 12, grey(0.5));
   room.addQuad({ 1, 1, 3.75 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(0.5, 1));
-  thing.addBox(box({ -0.2, -0.2, -0.2 }, { 0.2, 0.2, 0.2 }), 1, grey(0.5));
-  SceneObjects objects{ room.build(), { thing.build(shift({ 0.5, 2, 2 })) } };
+  SceneObjects objects{ room.build(), { block({ 0.5, 2, 2 }, { 0.2, 0.2, 0.2 }, 1) } };
   Execution execution;
-  UpdatedEngine engine(objects, keepingPhotons(3000), execution);
+  UpdatedEngine engine(objects, Shoot(3000).kept());
   LeafPhotons leaves = filled(objects, onlySet(engine).history(), execution);
   const auto before = photonsOf(onlySet(engine).history());
   const auto ordersOf = [&] {
@@ -121,16 +118,14 @@ TEST(LeafPhotons, OnlyTouchedLeavesChange)
   };
   const auto old = ordersOf();
   objects.dynamicObjects[0].worldFromObject.translation[0] += 0.01;
-  engine.update(objects, keepingPhotons(3000), execution);
+  engine.update(objects, Shoot(3000).kept());
   const PhotonChanges changes = changesBetween(before, photonsOf(onlySet(engine).history()));
   leaves.apply(objects, onlySet(engine).history(), changes, execution);
   std::set<SegmentRef> changed;
-  for (const std::vector<Photon>* photons : { &changes.gone, &changes.arrived })
+  for (const auto& photons : { changes.gone, changes.arrived })
   {
-    for (const Photon& photon : *photons)
-    {
-      changed.insert(photon.reference);
-    }
+    std::for_each(photons.begin(), photons.end(),
+      [&](const Photon& photon) { changed.insert(photon.reference); });
   }
   const auto now = ordersOf();
   int touched = 0, untouched = 0;
@@ -151,7 +146,7 @@ TEST(LeafPhotons, BlocksComeAndGo)
   const MovingScene scene(1, true, 44);
   const SceneObjects& objects = scene.objects();
   Execution execution;
-  UpdatedEngine engine(objects, keepingPhotons(4000), execution);
+  UpdatedEngine engine(objects, Shoot(4000).kept());
   const WalkHistory& history = onlySet(engine).history();
   ASSERT_EQ(history.size(), 4u);
   LeafPhotons leaves(objects), half(objects);
@@ -178,7 +173,7 @@ TEST(LeafPhotons, BlocksComeAndGo)
 TEST(LeafPhotons, CanBeInterrupted)
 {
   const MovingScene scene(1, true, 45);
-  UpdatedEngine engine(scene.objects(), keepingPhotons(2000));
+  UpdatedEngine engine(scene.objects(), Shoot(2000).kept());
   StoppingExecution stopping(0);
   LeafPhotons leaves(scene.objects());
   EXPECT_THROW(leaves.add(onlySet(engine).history(), 0, onlySet(engine).history().size(), stopping),

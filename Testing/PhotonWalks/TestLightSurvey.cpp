@@ -2,29 +2,26 @@
 // What is known of lights before a walk is shot: how each is best known, and how unevenly they
 // light what rests.
 
+#include "DirectLight/DirectPilot.h"
+#include "Kit.h"
+#include "Sampling/SphericalTriangle.h"
 #include "Walks/LightSurvey.h"
 
-#include "Sampling/SphericalTriangle.h"
-#include "TestScenes.h"
-
-#include <gtest/gtest.h>
-
-namespace irradiance
+namespace irradiance::test
 {
-
 namespace
 {
 
-using test::grey;
-using test::ObjectBuilder;
-
-constexpr int kCells = 8; ///< along each edge of a wall
-
-ObjectBuilder walls(double exitance = 0)
+/// `n`: cells along each edge of a wall.
+ObjectBuilder surveyedRoom(double exitance = 0, int n = 8)
 {
-  ObjectBuilder room;
-  room.addBox(test::box({ 0, 0, 0 }, { 4, 4, 3 }), kCells, grey(0.5, exitance), true);
-  return room;
+  return plainRoom({ 4, 4, 3 }, n, grey(0.5, exitance));
+}
+
+/// A panel of facets below the ceiling.
+void addFacets(ObjectBuilder& room)
+{
+  room.addQuad({ 1.4, 1.7, 2.95 }, { 0, 0.3, 0 }, { 1.2, 0, 0 }, 1, 4, grey(0, 100));
 }
 
 LightSurvey surveyOf(const SceneObjects& objects)
@@ -51,14 +48,12 @@ double unevennessFrom(const Vector3& place, const SceneObject& room)
   return squares * area;
 }
 
-}
-
 // A point light in the middle, and ones nearer and nearer to the ceiling.
 TEST(LightSurvey, TellsHowUnevenlyAPointLightsARoom)
 {
   for (const double below : { 1.5, 0.5, 0.1 })
   {
-    ObjectBuilder room = walls();
+    ObjectBuilder room = surveyedRoom();
     const Vector3 place(2.1, 1.9, 3 - below);
     room.addPointLight(place, 10);
     const SceneObjects objects{ room.build(), {} };
@@ -73,7 +68,7 @@ TEST(LightSurvey, AddsUpGroups)
 {
   for (const bool areTwo : { false, true })
   {
-    ObjectBuilder room = walls(), lamp;
+    ObjectBuilder room = surveyedRoom(), lamp;
     room.addPointLight({ 2.1, 1.9, 2.9 }, 10);
     lamp.addPointLight({ 2.1, 1.9, 0.1 }, 10);
     SceneObjects objects{ room.build(), { lamp.build() } };
@@ -92,8 +87,8 @@ TEST(LightSurvey, AddsUpGroups)
 // What walls emit that are dim is sent by all alike.
 TEST(LightSurvey, CountsDimLightsAsTheyShine)
 {
-  EXPECT_NEAR(surveyOf({ walls(1).build(), {} }).unevenness(), 1, 0.05);
-  ObjectBuilder room = walls(1);
+  EXPECT_NEAR(surveyOf({ surveyedRoom(1).build(), {} }).unevenness(), 1, 0.05);
+  ObjectBuilder room = surveyedRoom(1);
   room.addPointLight({ 2.1, 1.9, 2.9 }, 10);
   const SceneObjects objects{ room.build(), {} };
   const LightSurvey survey = surveyOf(objects);
@@ -107,14 +102,14 @@ TEST(LightSurvey, CountsDimLightsAsTheyShine)
 // A panel is gathered with samples of little noise; where nothing is lit nothing is uneven.
 TEST(LightSurvey, OfAPanelAndOfNothing)
 {
-  ObjectBuilder room = walls();
-  room.addQuad({ 1.4, 1.7, 2.95 }, { 0, 0.3, 0 }, { 1.2, 0, 0 }, 1, 4, grey(0, 100));
+  ObjectBuilder room = surveyedRoom();
+  addFacets(room);
   const LightSurvey survey = surveyOf({ room.build(), {} });
   EXPECT_FALSE(survey.groups()[0].areHardToFind);
   EXPECT_EQ(survey.hiddenVariance(), 0);
   EXPECT_GT(survey.gatheredVariance(), 0);
   EXPECT_LT(survey.gatheredVariance(), 0.01);
-  const LightSurvey none = surveyOf({ walls().build(), {} });
+  const LightSurvey none = surveyOf({ surveyedRoom().build(), {} });
   EXPECT_EQ(none.unevenness(), 1);
   EXPECT_EQ(none.gatheredVariance(), 0);
 }
@@ -122,8 +117,8 @@ TEST(LightSurvey, OfAPanelAndOfNothing)
 // Where a thing moves that is no lamp nothing is looked at again.
 TEST(FrameLights, StayAsLongAsLightsDo)
 {
-  ObjectBuilder room = walls(), part;
-  room.addQuad({ 1.4, 1.7, 2.95 }, { 0, 0.3, 0 }, { 1.2, 0, 0 }, 1, 4, grey(0, 100));
+  ObjectBuilder room = surveyedRoom(), part;
+  addFacets(room);
   part.addQuad({ 1, 1, 1 }, { 1, 0, 0 }, { 0, 1, 0 }, 2, 2, grey(0.5));
   SceneObjects objects{ room.build(), { part.build() } };
   FrameLights lights;
@@ -136,7 +131,7 @@ TEST(FrameLights, StayAsLongAsLightsDo)
   const std::shared_ptr<const LampPieces> kept = first->groups()[0].lamps;
   EXPECT_NE(lights.survey(objects, other, sides, {}).groups()[0].lamps, kept);
   // A wall that moves may touch a point in the air.
-  ObjectBuilder inAir = walls();
+  ObjectBuilder inAir = surveyedRoom();
   inAir.addPointLight({ 1, 1, 1.5 }, 10);
   objects.staticObject = inAir.build();
   const std::shared_ptr<const LampPieces> before =
@@ -146,4 +141,97 @@ TEST(FrameLights, StayAsLongAsLightsDo)
   EXPECT_NE(lights.survey(objects, plan, sides, {}).groups()[0].lamps, before);
 }
 
+/// None if shooting costs less. Where half of the light returns, and so much is the power of a walk
+/// that starts at a cell.
+std::optional<double> walksPerSample(const ObjectBuilder& room, double returned = 0.5)
+{
+  const SceneObjects objects{ room.build(), {} };
+  const LampPieces lamps(LightTable(objects, 1000));
+  const DirectPilot pilot(objects, lamps);
+  const auto [walks, cost] = pilot.best(1, returned, std::max(0.0625, returned));
+  return cost < 1 ? std::optional<double>(walks) : std::nullopt;
+}
+
+ObjectBuilder withFacets()
+{
+  ObjectBuilder room = surveyedRoom(0, 14);
+  addFacets(room);
+  return room;
+}
+
+// A sample of a panel is far better than a walk.
+TEST(DirectPilot, LooksForAPanel)
+{
+  const std::optional<double> walks = walksPerSample(withFacets());
+  ASSERT_TRUE(walks.has_value());
+  EXPECT_GT(*walks, 16);
+  EXPECT_LE(*walks, DirectPilot::kMostWalks);
+}
+
+// The less returns the more samples: what is gathered is nearly all light.
+TEST(DirectPilot, TakesMoreSamplesWhereLittleReturns)
+{
+  double before = DirectPilot::kMostWalks + 1;
+  for (const double returned : { 0.5, 0.2, 0.05, 0.0 })
+  {
+    const std::optional<double> walks = walksPerSample(withFacets(), returned);
+    ASSERT_TRUE(walks.has_value()) << returned;
+    EXPECT_LT(*walks, before) << returned;
+    before = *walks;
+  }
+  EXPECT_EQ(before, DirectPilot::kFewestWalks);
+}
+
+// Facets of tubes just below a ceiling are told apart badly: walks from them have less noise.
+TEST(DirectPilot, ShootsFromTubesOfManyFacets)
+{
+  ObjectBuilder room = surveyedRoom(0, 14);
+  addTubes(room);
+  EXPECT_FALSE(walksPerSample(room).has_value());
+  // As a bulb far from all walls they are not.
+  ObjectBuilder bulb = surveyedRoom(0, 14);
+  bulb.addSphere({ 2, 2, 1.5 }, 0.1, 12, grey(0.5, 1000));
+  EXPECT_TRUE(walksPerSample(bulb).has_value());
+}
+
+// Of walks from a lamp far away hardly any arrives: none is shot.
+TEST(DirectPilot, LooksForWhatIsFarAway)
+{
+  ObjectBuilder room = surveyedRoom(0, 14);
+  room.addSphere({ 2, 2, 2.85 }, 0.1, 40, grey(0.5, 1000));
+  const SceneObjects objects{ room.build(), {} };
+  const DirectPilot pilot(objects, LampPieces(LightTable(objects, 1000)));
+  double before = 0;
+  for (const double arrived : { 1e-6, 1e-3, 0.5, 1.0 })
+  {
+    const double cost = pilot.best(arrived, 0.5, 0.5).cost;
+    EXPECT_GT(cost, before);
+    EXPECT_LT(cost, 10 * arrived);
+    before = cost;
+  }
+}
+
+// A lamp in a box with a slit lights little of what samples ask for.
+TEST(DirectPilot, KnowsWhatStandsBetween)
+{
+  ObjectBuilder open = surveyedRoom(0, 14);
+  addPanel(open, { 1.9, 1.9, 2.9 }, 0.2, 0.2, 1000);
+  ObjectBuilder hidden = open;
+  hidden.addQuad({ 1, 1, 2.8 }, { 1.98, 0, 0 }, { 0, 2, 0 }, 1, 1, grey(0.5));
+  ASSERT_TRUE(walksPerSample(open).has_value());
+  const std::optional<double> walks = walksPerSample(hidden);
+  EXPECT_TRUE(!walks || *walks < *walksPerSample(open));
+}
+
+// Without a static object nothing is known, and a sample counts as a walk.
+TEST(DirectPilot, KnowsNothingWithoutStaticCells)
+{
+  ObjectBuilder lamp;
+  lamp.addQuad({ 0, 0, 1 }, { 0, 1, 0 }, { 1, 0, 0 }, 1, 1, grey(0, 100));
+  const SceneObjects objects{ nothing(), { lamp.build() } };
+  const LampPieces lamps(LightTable(objects, 1000));
+  EXPECT_NO_THROW(DirectPilot(objects, lamps).best(1, 0.5, 0.5));
+}
+
+}
 }

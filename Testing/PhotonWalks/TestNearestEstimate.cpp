@@ -18,13 +18,11 @@ struct Lit
   Lit(SceneObjects scene, std::uint32_t walks, std::uint64_t seed = 1)
     : objects(std::move(scene))
   {
-    EngineSettings settings = Shoot(walks).seeded(seed).kept();
-    Execution execution;
-    engine.update(objects, settings, execution);
-    leaves = LeafPhotons(objects);
-    leaves.add(onlySet(engine).history(), 0, onlySet(engine).history().size(), execution);
-    surfaces.update(objects);
-    photons.emplace(leaves, surfaces, objects, onlySet(engine).history());
+    Execution serial;
+    engine.update(objects, Shoot(walks).seeded(seed).kept());
+    engine.collectPhotons(serial);
+    engine.prepareSurfaces(serial);
+    photons.emplace(engine.nearestPhotons());
   }
 
   NearestEstimate estimate(
@@ -40,9 +38,7 @@ struct Lit
   }
 
   SceneObjects objects;
-  IrradianceEngine engine;
-  LeafPhotons leaves;
-  Surfaces surfaces;
+  UpdatedEngine engine;
   std::optional<NearestPhotons> photons;
 };
 
@@ -133,11 +129,9 @@ TEST(NearestEstimate, NoBiasAtEdgesAndCorners)
   ReplicateMean inside, edges, corners, onBall;
   for (int seed = 1; seed <= kSeeds; ++seed)
   {
-    ObjectBuilder room, ball;
-    room.addBox(box({ 0, 0, 0 }, { 4, 4, 4 }), 2, grey(0.5, 0.5), true);
-    ball.addSphere({ 0, 0, 0 }, 0.8, 8, grey(0.5, 0.5));
-    const Lit lit({ room.build(), { ball.build(shift({ 2, 2, 2 })) } }, scaled(20000),
-      static_cast<std::uint64_t>(seed));
+    const Look look = grey(0.5, 0.5);
+    const Lit lit({ plainRoom({ 4, 4, 4 }, 2, look).build(), { ball({ 2, 2, 2 }, 0.8, 8, look) } },
+      scaled(20000), static_cast<std::uint64_t>(seed));
     RandomVectors random(static_cast<unsigned>(seed));
     ReplicateMean atInside, atEdges, atCorners, atBall;
     for (int i = 0; i < 200; ++i)
@@ -159,6 +153,15 @@ TEST(NearestEstimate, NoBiasAtEdgesAndCorners)
   {
     EXPECT_LE(std::abs(mean->t(1)), 5);
   }
+}
+
+/// A floor of 2 m under a lamp of the same size, 1 m above it; both reflect nothing.
+SceneObjects litFloor(int bands = 1)
+{
+  ObjectBuilder scene(bands);
+  scene.addQuad({ 0, 0, 1 }, { 0, 2, 0 }, { 2, 0, 0 }, 1, 1, { {}, { 3, 2, 1 } });
+  scene.addQuad({ 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, 3, 3, grey(0));
+  return { scene.build(), {} };
 }
 
 /// In a furnace with a white body in it: the mean irradiance from 50 photons at places on the body.
@@ -317,10 +320,7 @@ TEST(NearestEstimate, TheOtherFaceOfABoardDoesNotCount)
 
 TEST(NearestEstimate, TheDarkSideOfASheetIsDark)
 {
-  ObjectBuilder scene(3);
-  scene.addQuad({ 0, 0, 1 }, { 0, 2, 0 }, { 2, 0, 0 }, 1, 1, { {}, { 3, 2, 1 } });
-  scene.addQuad({ 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, 3, 3, grey(0));
-  const Lit lit({ scene.build(), {} }, 20000);
+  const Lit lit(litFloor(3), 20000);
   const Sensor above{ { 1, 1, 0 }, Vector3::UnitZ() }, below{ { 1, 1, 0 }, -Vector3::UnitZ() };
   const NearestEstimate dark = lit.estimate(below, 50, 0.5);
   EXPECT_EQ(dark.found, 0u);
@@ -336,10 +336,7 @@ TEST(NearestEstimate, TheDarkSideOfASheetIsDark)
 // All there are, over all there is.
 TEST(NearestEstimate, FewerPhotonsThanAskedFor)
 {
-  ObjectBuilder scene;
-  scene.addQuad({ 0, 0, 1 }, { 0, 2, 0 }, { 2, 0, 0 }, 1, 1, grey(0, 1));
-  scene.addQuad({ 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, 3, 3, grey(0));
-  const Lit lit({ scene.build(), {} }, 500);
+  const Lit lit(litFloor(), 500);
   const NearestEstimate all = lit.estimate({ { 1, 1, 0 }, Vector3::UnitZ() }, 1000);
   EXPECT_GT(all.found, 100u);
   EXPECT_LT(all.found, 500u);

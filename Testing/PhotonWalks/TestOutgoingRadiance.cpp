@@ -10,7 +10,7 @@ namespace irradiance::test
 namespace
 {
 
-EngineSettings settingsOf(
+EngineSettings eyeSettings(
   std::uint32_t walks, bool gathersDirectLight = false, std::uint64_t seed = 1)
 {
   return Shoot(walks).kept().gathered(gathersDirectLight).seeded(seed);
@@ -33,6 +33,13 @@ void addSpeck(ObjectBuilder& builder, const Look& look)
 
 const Vector3 kUp(0, 0, 1);
 
+/// W/m2/sr of the first cell of a static object, as a far eye sees it.
+double seenFrom(const Vector3& toEye, const ObjectBuilder& scene, const EngineSettings& settings,
+  std::uint32_t samples = 16)
+{
+  return seen({ scene.build(), {} }, settings, { { 0, 0 } }, { toEye, true }, samples)[0].value[0];
+}
+
 // The definition: the lobe times what arrives. The speck is 10^-6 of the distance wide.
 TEST(OutgoingRadiance, ALobeReflectsAPointLight)
 {
@@ -47,12 +54,10 @@ TEST(OutgoingRadiance, ALobeReflectsAPointLight)
       const double arriving = 7 / (4 * M_PI * lamp.squaredNorm()) * kUp.dot(lamp.normalized());
       const double expected =
         0.6 * PhongLobe(exponent).value(kUp, lamp.normalized(), toEye) * arriving;
-      const SceneObjects objects{ scene.build(), {} };
-      const EngineSettings settings = settingsOf(100, gathers);
-      const auto light = seen(objects, settings, { { 0, 0 } }, { toEye, true }).front();
-      EXPECT_NEAR(light.value[0], expected, 1e-4 * expected) << "exponent " << exponent;
-      const auto below = seen(objects, settings, { { 0, 0 } }, { -toEye, true }).front();
-      EXPECT_EQ(below.value[0], 0) << "it is lit from above";
+      const EngineSettings settings = eyeSettings(100, gathers);
+      EXPECT_NEAR(seenFrom(toEye, scene, settings), expected, 1e-4 * expected)
+        << "exponent " << exponent;
+      EXPECT_EQ(seenFrom(-toEye, scene, settings), 0) << "it is lit from above";
     }
   }
 }
@@ -96,10 +101,7 @@ TEST(OutgoingRadiance, ALobeReflectsALampAsTheDefinitionSays)
       ReplicateMean found;
       for (std::uint64_t seed = 1; seed <= 12; ++seed)
       {
-        found.add(seen({ scene.build(), {} }, settingsOf(100, seed % 2 == 0, seed), { { 0, 0 } },
-          { toEye, true })
-                    .front()
-                    .value[0]);
+        found.add(seenFrom(toEye, scene, eyeSettings(100, seed % 2 == 0, seed)));
       }
       EXPECT_LT(std::abs(found.mean() - expected), 5.5 * found.standardError() + 1e-3 * expected)
         << "exponent " << exponent << ", size " << size;
@@ -129,19 +131,16 @@ TEST(OutgoingRadiance, ALobeReflectsAStripAndManyLampsAsTheDefinitionSays)
   ReplicateMean found;
   for (std::uint64_t seed = 1; seed <= 12; ++seed)
   {
-    found.add(
-      seen({ scene.build(), {} }, settingsOf(100, false, seed), { { 0, 0 } }, { toEye, true }, 64)
-        .front()
-        .value[0]);
+    found.add(seenFrom(toEye, scene, eyeSettings(100, false, seed), 64));
   }
   EXPECT_LT(std::abs(found.mean() - expected), 5.5 * found.standardError() + 2e-3 * expected);
   EXPECT_LT(found.standardError(), 0.03 * expected);
 }
 
 /// Each wall has another lobe, one is a mirror; all emit what they absorb. A body stands in it.
-SceneObjects furnace(int bands = 1)
+SceneObjects furnace()
 {
-  ObjectBuilder room(bands), body(bands);
+  ObjectBuilder room, body;
   const double exponents[] = { kInfinity, 0, 1, 6, 40, 1000 };
   for (int side = 0; side < 6; ++side)
   {
@@ -158,15 +157,9 @@ const Eye kInFurnace{ { 3.5, 0.4, 0.3 } };
 /// Those that show it their fronts: 9 of each wall, 3 of the body.
 std::vector<SceneCell> furnaceCells()
 {
-  std::vector<SceneCell> cells;
-  for (std::size_t cell = 0; cell < 54; ++cell)
-  {
-    cells.push_back({ 0, cell });
-  }
-  for (const std::size_t cell : { 1, 2, 4 })
-  {
-    cells.push_back({ 1, cell });
-  }
+  std::vector<SceneCell> cells = cellsOf(furnace());
+  cells.resize(54);
+  cells.insert(cells.end(), { { 1, 1 }, { 1, 2 }, { 1, 4 } });
   return cells;
 }
 
@@ -182,7 +175,7 @@ TEST(OutgoingRadiance, IsThatOfAFurnace)
     std::vector<ReplicateMean> looks(7);
     for (std::uint64_t seed = 1; seed <= 12; ++seed)
     {
-      const SeenLights lights = seen(objects, settingsOf(4000, gathers, seed), cells, kInFurnace);
+      const SeenLights lights = seen(objects, eyeSettings(4000, gathers, seed), cells, kInFurnace);
       std::vector<double> means(looks.size());
       for (std::size_t i = 0; i < cells.size(); ++i)
       {
@@ -212,7 +205,7 @@ TEST(OutgoingRadiance, AMirrorShowsWhatIsThere)
   scene.addQuad({ -2, -2, 3 }, { 0, 4, 0 }, { 2, 0, 0 }, 1, 1, grey(0, 5)); // x < 0
   scene.addQuad({ 0, -2, 3 }, { 0, 4, 0 }, { 2, 0, 0 }, 1, 1, grey(0, 7));  // x > 0
   Execution execution;
-  UpdatedEngine engine({ scene.build(), {} }, settingsOf(100), execution);
+  UpdatedEngine engine({ scene.build(), {} }, eyeSettings(100), execution);
   const OutgoingRadiance radiance(engine, 16, execution);
   const Eye above{ { 0, 0, 1 }, true };
   EXPECT_NEAR(radiance.at({ 0, 0 }, above).value[0], 0.8 * 5 / M_PI, 1e-12);
@@ -232,7 +225,7 @@ TEST(OutgoingRadiance, AMirrorShowsALampInAMirror)
   scene.addQuad({ 1, -1, 0 }, { 0, 0, 3 }, { 0, 2, 0 }, 1, 1, glossy(0, 1, kInfinity));
   scene.addQuad({ -2, -1, 0 }, { 0, 2, 0 }, { 0, 0, 5 }, 1, 1, grey(0, 5));
   const Eye eye{ Vector3(-1, 0, 1), false };
-  EXPECT_NEAR(seen({ scene.build(), {} }, settingsOf(100), { { 0, 0 } }, eye).front().value[0],
+  EXPECT_NEAR(seen({ scene.build(), {} }, eyeSettings(100), { { 0, 0 } }, eye).front().value[0],
     0.7 * 5 / M_PI, 1e-12);
 }
 
@@ -241,13 +234,11 @@ TEST(OutgoingRadiance, IsNoneWhereNothingShines)
 {
   for (const double exponent : { 20.0, kInfinity })
   {
-    ObjectBuilder room;
-    room.addBox(box({ 0, 0, 0 }, { 2, 2, 2 }), 1, glossy(0.3, 0.5, exponent), true);
-    SceneObjects objects{ room.build(), {} };
+    SceneObjects objects{ plainRoom({ 2, 2, 2 }, 1, glossy(0.3, 0.5, exponent)).build(), {} };
     auto dark = std::make_shared<Emission>();
     dark->exitance.assign(6, 0.0);
     objects.staticObject.emission = dark;
-    for (const auto& light : seen(objects, settingsOf(100), cellsOf(objects), { { 1, 1, 0.5 } }))
+    for (const auto& light : seen(objects, eyeSettings(100), cellsOf(objects), { { 1, 1, 0.5 } }))
     {
       EXPECT_EQ(light.value[0], 0);
     }
@@ -266,7 +257,7 @@ TEST(OutgoingRadiance, ASheetDoesNotShineThrough)
     scene.addQuad({ -1, -1, 3 }, { 0, 2, 0 }, { 2, 0, 0 }, 1, 1, grey(0, 10));
     for (const bool gathers : { false, true })
     {
-      UpdatedEngine engine({ scene.build(), {} }, settingsOf(20000, gathers));
+      UpdatedEngine engine({ scene.build(), {} }, eyeSettings(20000, gathers));
       ASSERT_GT(engine.irradiance({ { 0, 79 } }, 0), 1) << "the middle of the sheet";
       EXPECT_EQ(seen(engine, { { 0, 0 } }, { { 0.1, 0.2, 0.5 } }).front().value[0], 0);
     }
@@ -282,14 +273,11 @@ TEST(OutgoingRadiance, ErrorBarsHoldTheTruth)
   IntervalCount intervals(16);
   for (std::uint64_t seed = 1; seed <= (kIsSanitized ? 2 : 12); ++seed)
   {
-    EngineSettings settings = settingsOf(4000, seed % 2 == 0, seed);
+    EngineSettings settings = eyeSettings(4000, seed % 2 == 0, seed);
     settings.replicates = 16;
     for (const auto& light : seen(objects, settings, cells, kInFurnace, 32))
     {
-      if (!std::isnan(light.standardError[0]))
-      {
-        ASSERT_NO_FATAL_FAILURE(intervals.add(light.value[0] - 1 / M_PI, light.standardError[0]));
-      }
+      intervals.add(light.value[0] - 1 / M_PI, light.standardError[0]);
     }
   }
   intervals.expectHonest();
@@ -299,11 +287,10 @@ TEST(OutgoingRadiance, ErrorBarsHoldTheTruth)
 // replicates it is not known.
 TEST(OutgoingRadiance, DiffuseCellsHaveTheErrorOfTheirIrradiance)
 {
-  ObjectBuilder room;
-  room.addBox(box({ 0, 0, 0 }, { 2, 2, 2 }), 2, grey(0.6, 0.1), true);
-  room.addQuad({ 0.8, 0.8, 1.9 }, { 0, 0.4, 0 }, { 0.4, 0, 0 }, 1, 1, grey(0, 9));
+  ObjectBuilder room = plainRoom({ 2, 2, 2 }, 2, grey(0.6, 0.1));
+  addPanel(room, { 0.8, 0.8, 1.9 }, 0.4, 0.4, 9);
   const SceneObjects objects{ room.build(), {} };
-  EngineSettings settings = settingsOf(5000);
+  EngineSettings settings = eyeSettings(5000);
   settings.replicates = 8;
   UpdatedEngine engine(objects, settings);
   const Eye eye{ { 1, 1, 1 } };
@@ -314,7 +301,7 @@ TEST(OutgoingRadiance, DiffuseCellsHaveTheErrorOfTheirIrradiance)
       engine.watts(engine.errorEstimate().standardError({ cell }, 0)) / engine.cells().area(cell);
     EXPECT_NEAR(light.standardError[0], cell.cell < 24 ? 0.6 / M_PI * error : 0, 1e-12);
   }
-  const auto without = seen(objects, settingsOf(5000), { { 0, 0 }, { 0, 24 } }, eye);
+  const auto without = seen(objects, eyeSettings(5000), { { 0, 0 }, { 0, 24 } }, eye);
   EXPECT_TRUE(std::isnan(without[0].standardError[0]));
   EXPECT_EQ(without[1].standardError[0], 0) << "it is known exactly";
 }

@@ -9,21 +9,17 @@ namespace irradiance::test
 namespace
 {
 
-EngineSettings settingsOf(std::uint32_t walks, std::uint32_t replicates = 16)
+EngineSettings rankSettings(std::uint32_t walks, std::uint32_t replicates = 16)
 {
   return Shoot(walks).errors(replicates);
 }
 
-/// What is stale on this rank, in quanta on all cells.
-double staleOf(const IrradianceEngine& engine)
+/// In quanta on all cells.
+double totalOf(const CellSums& sums)
 {
-  double stale = 0;
-  for (const WalkSet& set : engine.walks().sets())
-  {
-    engine.cells().numbers().forEach(
-      [&](const SceneCell& cell) { stale += set.stale()->sums().sum({ cell }, 0); });
-  }
-  return stale;
+  double total = 0;
+  sums.numbers().forEach([&](const SceneCell& cell) { total += sums.sum({ cell }, 0); });
+  return total;
 }
 
 // Each rank repairs in a time of its own, and some have no walks. What is stale on one is stale for
@@ -34,7 +30,7 @@ TEST(Ranks, RepairWithinABudget)
   const SceneObjects first = scene.objects();
   scene.nextFrame();
   const SceneObjects second = scene.objects();
-  const EngineSettings settings = settingsOf(1500);
+  const EngineSettings settings = rankSettings(1500);
   const Answer expected = freshAnswer(second, settings);
   std::mutex mutex;
   const auto errors = ThreadRanks(5).run([&](ThreadRanks::Rank& rank) {
@@ -42,13 +38,11 @@ TEST(Ranks, RepairWithinABudget)
     EngineSettings hurried = settings;
     hurried.repairTimeBudget = kNoTime;
     engine.update(second, hurried, rank);
-    auto sum = static_cast<std::int64_t>(staleOf(engine));
+    auto sum = static_cast<std::int64_t>(totalOf(onlySet(engine).stale()->sums()));
     rank.ranks().sum(&sum, 1);
     {
       const std::lock_guard<std::mutex> lock(mutex);
-      double told = 0;
-      engine.cells().numbers().forEach(
-        [&](const SceneCell& cell) { told += engine.walks().staleSums()->sum({ cell }, 0); });
+      const double told = totalOf(*engine.walks().staleSums());
       EXPECT_GT(told, 0);
       EXPECT_EQ(told, sum);
       EXPECT_GT(engine.staleGainBound(0), 0);
@@ -69,7 +63,7 @@ TEST(Ranks, RepairWithinABudget)
 TEST(Ranks, EndTogetherWhenOneFails)
 {
   MovingScene scene(1, true, 3);
-  const EngineSettings settings = settingsOf(5000);
+  const EngineSettings settings = rankSettings(5000);
   std::vector<std::unique_ptr<IrradianceEngine>> engines;
   std::generate_n(
     std::back_inserter(engines), 3, [] { return std::make_unique<IrradianceEngine>(); });
@@ -101,7 +95,7 @@ TEST(Ranks, EndTogetherWhenOneFails)
   scene.nextFrame();
   Execution alone;
   engines[1]->update(scene.objects(), settings, alone);
-  EXPECT_EQ(answerOf(*engines[1], scene.objects()), freshAnswer(scene.objects(), settings));
+  EXPECT_TRUE(isAsFresh(*engines[1]));
 }
 
 // Who reads photons needs all of them in each engine; then the walks are shot again, and stay.
@@ -109,12 +103,11 @@ TEST(Ranks, EachHasAllWalksWherePhotonsAreRead)
 {
   MovingScene scene(1, true, 5);
   std::vector<SceneObjects> frames;
-  for (int i = 0; i < 3; ++i)
+  for (int i = 0; i < 3; ++i, scene.nextFrame())
   {
     frames.push_back(scene.objects());
-    scene.nextFrame();
   }
-  EngineSettings settings = settingsOf(9000), reading = settings;
+  EngineSettings settings = rankSettings(9000), reading = settings;
   reading.keepPhotons = reading.allOnEachRank = true;
   const Answer expected = freshAnswer(frames[2], settings);
   std::mutex mutex;
@@ -138,24 +131,25 @@ TEST(Ranks, EachHasAllWalksWherePhotonsAreRead)
 TEST(Ranks, MustBeGivenTheSame)
 {
   const MovingScene scene(1, true, 3), other(1, true, 4);
-  const std::string end = " on 1 of 3 processes";
-  std::vector<std::string> errors = ThreadRanks(3).run([&](ThreadRanks::Rank& rank) {
-    UpdatedEngine engine(scene.objects(), settingsOf(rank.rank() == 2 ? 5001 : 5000), rank);
+  const auto expectOther = [](const std::string& what, const auto& work) {
+    EXPECT_EQ(ThreadRanks(3).run(work),
+      std::vector<std::string>(
+        3, "other " + what + " than on the first process on 1 of 3 processes"));
+  };
+  expectOther("settings", [&](ThreadRanks::Rank& rank) {
+    UpdatedEngine engine(scene.objects(), rankSettings(rank.rank() == 2 ? 5001 : 5000), rank);
   });
-  EXPECT_EQ(errors, std::vector<std::string>(3, "other settings than on the first process" + end));
-  errors = ThreadRanks(3).run([&](ThreadRanks::Rank& rank) {
+  expectOther("inputs", [&](ThreadRanks::Rank& rank) {
     UpdatedEngine engine(
-      rank.rank() == 1 ? other.objects() : scene.objects(), settingsOf(5000), rank);
+      rank.rank() == 1 ? other.objects() : scene.objects(), rankSettings(5000), rank);
   });
-  EXPECT_EQ(errors, std::vector<std::string>(3, "other inputs than on the first process" + end));
   // Later only what has changed is looked at.
-  errors = ThreadRanks(3).run([&](ThreadRanks::Rank& rank) {
-    UpdatedEngine engine(scene.objects(), settingsOf(5000), rank);
+  expectOther("inputs", [&](ThreadRanks::Rank& rank) {
+    UpdatedEngine engine(scene.objects(), rankSettings(5000), rank);
     SceneObjects moved = scene.objects();
     moved.dynamicObjects[0].worldFromObject.translation[0] += rank.rank() == 1 ? 0.02 : 0.01;
-    engine.update(moved, settingsOf(5000), rank);
+    engine.update(moved, rankSettings(5000), rank);
   });
-  EXPECT_EQ(errors, std::vector<std::string>(3, "other inputs than on the first process" + end));
 }
 
 }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Kit.h"
-#include "Surfaces/SceneCells.h"
-#include "Surfaces/SceneTriangles.h"
-
 #include "Meshes/SurfacePoint.h"
-#include "Surfaces/SceneCells.h"
+#include "Sampling/SobolPoint.h"
+#include "Surfaces/CellLook.h"
+#include "Surfaces/SceneTriangles.h"
 
 namespace irradiance::test
 {
@@ -24,8 +23,7 @@ void expectNumbers(const SceneTriangles& triangles, const SceneObjects& objects)
       const TriangleId id{ i, k };
       ASSERT_EQ(triangles.numberOf(id), number);
       ASSERT_EQ(triangles.idOf(number), id);
-      const std::uint32_t cell = objects[i].material->cellOfTriangle[k];
-      const SceneCell own{ i, cell };
+      const SceneCell own{ i, objects[i].material->cellOfTriangle[k] };
       ASSERT_EQ(triangles.looks()[number].number(), cells[own]);
     }
   }
@@ -126,10 +124,8 @@ TEST(SceneTriangles, FollowTheScene)
 // So many triangles that an update can be cancelled before, among and after the looks.
 TEST(SceneTriangles, AreRightAfterACancelledUpdate)
 {
-  ObjectBuilder dull, bright;
-  dull.addSphere({ 0, 0, 0 }, 1, 60, grey(0.2));
-  bright.addSphere({ 0, 0, 0 }, 1, 70, grey(0.8));
-  SceneObjects objects{ dull.build(), { bright.build(), dull.build() } };
+  const SceneObject dull = ball({ 0, 0, 0 }, 1, 60, grey(0.2));
+  SceneObjects objects{ dull, { ball({ 0, 0, 0 }, 1, 70, grey(0.8)), dull } };
   ASSERT_GT(objects.staticObject.body->mesh().size(), 5000u);
   SceneTriangles triangles(objects);
   bool isCancelled = true;
@@ -204,6 +200,55 @@ TEST(SceneTriangles, AnEmptySceneHasRowsForNothing)
   EXPECT_FALSE(triangles.looks()[0].survives(0));
   EXPECT_NE(SceneTriangles().records(), nullptr);
   EXPECT_FALSE(SceneTriangles().looks()[0].survives(0));
+}
+
+void expectSameDecisions(double reflectance, std::uint32_t sample)
+{
+  const CellLook look(5, reflectance, false);
+  // Around the sample, and around where the decision changes.
+  const auto turns = static_cast<std::uint32_t>(std::llrint(0x1p32 * reflectance));
+  for (std::uint32_t offset = 0xfffffffcu; offset != 4; ++offset)
+  {
+    for (const std::uint32_t c : { sample + offset, turns + offset, look.threshold + offset })
+    {
+      ASSERT_EQ(look.survives(c), SobolPoint::toUnit(c) < reflectance)
+        << std::hexfloat << reflectance << ' ' << c;
+    }
+  }
+}
+
+TEST(CellLook, DecidesAsDoublesDo)
+{
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 1000000; ++i)
+  {
+    const auto sample = static_cast<std::uint32_t>(random());
+    const double uniform = std::uniform_real_distribution<double>()(random);
+    expectSameDecisions(uniform, sample);
+    // A multiple of 2^-33, or next to one: thresholds lie there.
+    const double tie = static_cast<double>(random() >> 31) * 0x1p-33;
+    expectSameDecisions(tie, sample);
+    expectSameDecisions(std::nextafter(tie, 2.0), sample);
+    expectSameDecisions(std::nextafter(tie, -1.0), sample);
+    expectSameDecisions(std::ldexp(uniform, -static_cast<int>(random() % 80)), sample);
+    expectSameDecisions(1 - std::ldexp(uniform, -static_cast<int>(random() % 54)), sample);
+  }
+  for (const double extreme : { 0.0, -0.0, 1.0, 0x1p-33, 0x1p-34, 0x1p-1074, 1 - 0x1p-53,
+         1 - 0x1p-33, 1 - 0x1p-34, 1.0 + 0x1p-52 })
+  {
+    expectSameDecisions(extreme, 0);
+  }
+}
+
+TEST(CellLook, KeepsNumberAndKind)
+{
+  const CellLook white(CellLook::kNumber, 1, true), black(7, 0, false);
+  EXPECT_EQ(white.number(), CellLook::kNumber);
+  EXPECT_TRUE(white.isGlossy());
+  EXPECT_TRUE(white.survives(0xffffffffu));
+  EXPECT_EQ(black.number(), 7u);
+  EXPECT_FALSE(black.isGlossy());
+  EXPECT_FALSE(black.survives(0));
 }
 
 }

@@ -55,10 +55,10 @@ public:
     move(plate, x);
     update();
     EXPECT_EQ(engine_.statistics().repairedSegments, engine_.statistics().invalidWalks);
-    EXPECT_EQ(answerOf(engine_, objects_), freshAnswer(objects_, settings_));
+    EXPECT_TRUE(isAsFresh(engine_));
     return engine_.statistics().invalidWalks;
   }
-  void update() { engine_.update(objects_, settings_, execution_); }
+  void update() { engine_.update(objects_, settings_); }
 
   std::int64_t onPlate(std::size_t plate) const
   {
@@ -79,13 +79,11 @@ public:
   }
   /// The same tube with both plates out of the way.
   const Tube& alone() const { return *alone_; }
-  const IrradianceEngine& engine() const { return engine_; }
 
 private:
   SceneObjects objects_;
   EngineSettings settings_;
-  IrradianceEngine engine_;
-  Execution execution_;
+  UpdatedEngine engine_;
   std::unique_ptr<Tube> alone_;
 };
 
@@ -95,81 +93,42 @@ class Verification : public testing::TestWithParam<bool> // static-hit cache
 {
 };
 
-TEST_P(Verification, StaticHitStaysWhereNothingCame)
+// A plate moves. Where both plates stood, which moves where to, and from where on walks are found
+// invalid; then which plate has these, and where those are that it let go.
+TEST_P(Verification, WalksAreInvalidWhereAPlateCameOrWent)
 {
-  Tube tube(true, GetParam());
-  tube.update();
-  EXPECT_EQ(tube.between(-1, kEnd), kWalks);
-  EXPECT_EQ(tube.movePlate(0, kFar - 5), 0);
-  EXPECT_EQ(tube.movePlate(0, 12), 0); // behind all hits
-  EXPECT_EQ(tube.between(-1, kEnd), kWalks);
-}
-
-TEST_P(Verification, StaticHitIsOccluded)
-{
-  Tube tube(true, GetParam());
-  tube.update();
-  const std::int64_t behind = tube.alone().between(5, kEnd);
-  ASSERT_GT(behind, 10);
-  EXPECT_EQ(tube.movePlate(0, 5), behind);
-  EXPECT_EQ(tube.onPlate(0), behind);
-  EXPECT_EQ(tube.between(5, kEnd), 0);
-  EXPECT_EQ(tube.between(-1, 5), kWalks - behind);
-}
-
-TEST_P(Verification, DynamicHitStaysWhenOthersMoveBehindIt)
-{
-  Tube tube(true, GetParam());
-  tube.move(0, 5);
-  tube.update();
-  const std::vector<std::int64_t> before = { tube.onPlate(0), tube.between(-1, 5) };
-  for (const double x : { 8.0, 6.0, 9.0, kFar })
+  const struct
   {
-    EXPECT_EQ(tube.movePlate(1, x), 0);
+    const char* name;
+    double p, q;
+    std::size_t plate;
+    double to, invalidFrom, onP, onQ;
+  } rows[] = { { "static hits stay where nothing came", kFar, kFar, 0, kFar - 5, kEnd, kEnd, kEnd },
+    { "also behind all hits", kFar, kFar, 0, 12, kEnd, kEnd, kEnd },
+    { "static hits are occluded", kFar, kFar, 0, 5, 5, 5, kEnd },
+    { "hits stay when others move behind them", 5, kFar, 1, 8, kEnd, 5, kEnd },
+    { "or from place to place", 5, 6, 1, 9, kEnd, 5, kEnd },
+    { "or away", 5, 9, 1, kFar, kEnd, 5, kEnd },
+    { "hits are occluded by another object", 7, kFar, 1, 4, 4, kEnd, 4 },
+    { "the object that was hit comes closer", 7, kFar, 0, 3, 3, 3, kEnd },
+    { "goes farther", 3, kFar, 0, 7, 3, 7, kEnd },
+    { "static and dynamic hits are behind an object that went", 4, 8, 0, kFar, 4, kEnd, 8 } };
+  for (const auto& row : rows)
+  {
+    SCOPED_TRACE(row.name);
+    Tube tube(true, GetParam());
+    tube.move(0, row.p);
+    tube.move(1, row.q);
+    tube.update();
+    const Tube& alone = tube.alone();
+    ASSERT_TRUE(row.invalidFrom == kEnd || alone.between(row.invalidFrom, kEnd) > 10);
+    EXPECT_EQ(tube.movePlate(row.plate, row.to), alone.between(row.invalidFrom, kEnd));
+    EXPECT_EQ(tube.onPlate(0), alone.between(row.onP, kEnd));
+    EXPECT_EQ(tube.onPlate(1), alone.between(row.onQ, kEnd));
+    const double first = std::min(row.onP, row.onQ);
+    EXPECT_EQ(tube.between(-1, first), alone.between(-1, first));
+    EXPECT_EQ(tube.between(first, kEnd), 0);
   }
-  EXPECT_EQ((std::vector<std::int64_t>{ tube.onPlate(0), tube.between(-1, 5) }), before);
-}
-
-TEST_P(Verification, DynamicHitIsOccludedByAnotherObject)
-{
-  Tube tube(true, GetParam());
-  tube.move(0, 7);
-  tube.update();
-  EXPECT_EQ(tube.movePlate(1, 4), tube.alone().between(4, kEnd));
-  EXPECT_EQ(tube.onPlate(1), tube.alone().between(4, kEnd));
-  EXPECT_EQ(tube.onPlate(0), 0);
-}
-
-TEST_P(Verification, HitObjectComesCloser)
-{
-  Tube tube(true, GetParam());
-  tube.move(0, 7);
-  tube.update();
-  EXPECT_EQ(tube.movePlate(0, 3), tube.alone().between(3, kEnd));
-  EXPECT_EQ(tube.onPlate(0), tube.alone().between(3, kEnd));
-}
-
-TEST_P(Verification, HitObjectGoesFarther)
-{
-  Tube tube(true, GetParam());
-  tube.move(0, 3);
-  tube.update();
-  EXPECT_EQ(tube.movePlate(0, 7), tube.alone().between(3, kEnd));
-  EXPECT_EQ(tube.onPlate(0), tube.alone().between(7, kEnd));
-  EXPECT_EQ(tube.between(3, 7), tube.alone().between(3, 7)); // static hits behind the old place
-}
-
-TEST_P(Verification, StaticAndDynamicHitsBehindAnObjectThatWent)
-{
-  Tube tube(true, GetParam());
-  tube.move(0, 4);
-  tube.move(1, 8);
-  tube.update();
-  EXPECT_EQ(tube.onPlate(1), 0);
-  EXPECT_EQ(tube.movePlate(0, kFar), tube.alone().between(4, kEnd));
-  EXPECT_EQ(tube.onPlate(0), 0);
-  EXPECT_EQ(tube.between(4, 8), tube.alone().between(4, 8));
-  EXPECT_EQ(tube.onPlate(1), tube.alone().between(8, kEnd));
 }
 
 TEST_P(Verification, NothingBehindAnObjectThatWent)

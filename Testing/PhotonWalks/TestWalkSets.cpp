@@ -12,7 +12,7 @@ namespace
 
 constexpr std::uint32_t kReplicates = 16;
 
-EngineSettings settingsOf(std::uint64_t seed, std::uint32_t walks)
+EngineSettings withErrorBars(std::uint64_t seed, std::uint32_t walks)
 {
   return Shoot(scaled(walks)).seeded(seed).errors(kReplicates);
 }
@@ -37,10 +37,6 @@ TEST(WalkSets, ShareTheWalksByFlux)
     next = source.plan.endWalk();
   }
   // As many watts in a quantum: quanta over flux are the same.
-  const auto quantaPerWatt = [](const WalkSource& source) {
-    return static_cast<double>(source.lights.quantaPerWalk()) * source.plan.walksAfter(1) /
-      source.lights.flux();
-  };
   EXPECT_NEAR(quantaPerWatt(sources[0]) / quantaPerWatt(sources[1]), 1, 1e-6);
 }
 
@@ -58,12 +54,11 @@ TEST(WalkSets, OneGroupHasTheWholePlan)
 TEST(WalkSets, PathsStartAtLightsOfTheirGroup)
 {
   const MovingScene scene(1, true, 9);
-  EngineSettings settings = settingsOf(9, 5000);
+  EngineSettings settings = withErrorBars(9, 5000);
   settings.keepPhotons = true;
-  IrradianceEngine engine;
   Execution serial;
   const SceneObjects objects = inTwoGroups(scene.objects());
-  engine.update(objects, settings, serial);
+  const UpdatedEngine engine(objects, settings);
   const WalkPaths paths(engine);
   const std::vector<std::uint32_t> all = paths.first(engine.numberOfWalks());
   ASSERT_EQ(all.size(), engine.numberOfWalks());
@@ -92,30 +87,12 @@ TEST(WalkSets, PathsStartAtLightsOfTheirGroup)
 TEST(WalkSets, TwoBringWhatOneWithAllLampsBrings)
 {
   const MovingScene scene(1, true, 12);
-  const EngineSettings settings = settingsOf(3, 200000);
-  IrradianceEngine one, two;
-  Execution serial;
-  one.update(scene.objects(), settings, serial);
-  two.update(inTwoGroups(scene.objects()), settingsOf(4, 200000), serial);
+  const UpdatedEngine one(scene.objects(), withErrorBars(3, 200000));
+  const UpdatedEngine two(inTwoGroups(scene.objects()), withErrorBars(4, 200000));
   ASSERT_EQ(two.walks().sets().size(), 2u);
   EXPECT_NEAR(
     two.watts(two.balance().emitted.total()) / one.watts(one.balance().emitted.total()), 1, 1e-6);
-  const ErrorEstimate oneError = one.errorEstimate(), twoError = two.errorEstimate();
-  int compared = 0;
-  one.cells().numbers().forEach([&](const SceneCell& cell) {
-    const CellSide side{ cell };
-    const double area = one.cells().area(cell);
-    const double error = std::hypot(one.watts(oneError.standardError(side, 0)),
-                           two.watts(twoError.standardError(side, 0))) /
-      area;
-    if (area > 0 && !std::isnan(error))
-    {
-      EXPECT_NEAR(two.irradiance(side, 0), one.irradiance(side, 0), 5.5 * error)
-        << "cell " << cell.cell << " of object " << cell.object;
-      ++compared;
-    }
-  });
-  EXPECT_GT(compared, kIsSanitized ? 50 : 150);
+  EXPECT_GT(expectAgreement(one, two), kIsSanitized ? 50 : 150);
 }
 
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Kit.h"
-#include "Shooting/FrontLoops.h"
-
 #include "FrontWorld.h"
+#include "Kit.h"
 #include "Sampling/DirectionSampling.h"
+#include "Shooting/FrontLoops.h"
+#include "Shooting/WalkFront.h"
 
 namespace irradiance::test
 {
@@ -13,16 +13,16 @@ namespace
 constexpr std::uint32_t kFrontWalks = 1000; // the last group is not full
 
 /// Triangles at random, thin ones and small ones among them, in two objects, of which one is
-/// placed; each with a reflectance of its own. `scale`: a power of two.
-SceneObjects someTriangles(double scale)
+/// placed; each with a reflectance of its own.
+SceneObjects someTriangles()
 {
   RandomVectors random(5);
   const auto some = [&](double exitance) {
     ObjectBuilder builder;
     for (int i = 0; i < 200; ++i)
     {
-      const double size = scale * random.powerOfTwo(-12, 0), thin = random.powerOfTwo(-20, 0);
-      const Vector3 place = scale * random.inCube(), along = size * random.direction();
+      const double size = random.powerOfTwo(-12, 0), thin = random.powerOfTwo(-20, 0);
+      const Vector3 place = random.inCube(), along = size * random.direction();
       const Vector3 aside = size * thin * random.direction();
       const double reflectance = i % 10 == 0 ? 0 : i % 10 == 1 ? 1 : random.uniform(0, 1);
       builder.addCell({ { place, place + along, place + aside } },
@@ -31,7 +31,7 @@ SceneObjects someTriangles(double scale)
     return builder.build();
   };
   SceneObjects objects{ some(1), { some(0) } };
-  objects.dynamicObjects[0].worldFromObject = { random.rotation(), scale * random.inCube() };
+  objects.dynamicObjects[0].worldFromObject = { random.rotation(), random.inCube() };
   return objects;
 }
 
@@ -98,14 +98,21 @@ void fill(WalkFront& front, const FrontWorld& world, Bounces bounces, std::uint3
   }
 }
 
-Vector3 originOf(const WalkFront& front, std::size_t i)
-{
-  return { front.originX[i], front.originY[i], front.originZ[i] };
-}
-
 Vector3 directionOf(const WalkFront& front, std::size_t i)
 {
   return { front.directionX[i], front.directionY[i], front.directionZ[i] };
+}
+
+/// What a walk takes along from its hit into the next front, `next` or `front`.
+auto onwards(const WalkFront& next, std::size_t i)
+{
+  return std::tuple(next.walk[i], next.start[i], next.bounce[i], next.parent[i], next.block[i],
+    next.weightB[i], next.weightC[i], next.side[i]);
+}
+auto fromHit(const WalkFront& front, std::size_t i)
+{
+  return std::tuple(front.walk[i], front.hit[i], front.bounce[i] + 1, front.slot[i], front.block[i],
+    front.weightB[i], front.weightC[i], front.hitSide[i]);
 }
 
 /// The plans of one and of several replicates.
@@ -119,7 +126,7 @@ std::vector<WalkPlan> somePlans()
 template <class Test>
 void onAll(const Test& test)
 {
-  const SceneObjects objects = someTriangles(1);
+  const SceneObjects objects = someTriangles();
   for (const WalkPlan& plan : somePlans())
   {
     const FrontWorld world(objects, plan, 11);
@@ -176,14 +183,7 @@ TEST(WalkStages, WalksSurviveAsTheirSamplesSay)
         sample < world.stages().materialOf(id.object).totalReflectance()[world.stages().cellOf(id)])
       {
         ASSERT_LT(kept, next.size);
-        ASSERT_EQ(next.walk[kept], first + i);
-        ASSERT_EQ(next.start[kept], front.hit[i]);
-        ASSERT_EQ(next.bounce[kept], front.bounce[i] + 1);
-        ASSERT_EQ(next.parent[kept], front.slot[i]);
-        ASSERT_EQ(next.block[kept], front.block[i]);
-        ASSERT_EQ(next.weightB[kept], front.weightB[i]);
-        ASSERT_EQ(next.weightC[kept], front.weightC[i]);
-        ASSERT_EQ(next.side[kept], front.hitSide[i]);
+        ASSERT_TRUE(onwards(next, kept) == fromHit(front, i)) << "walk " << first + i;
         ++kept;
       }
     }
@@ -193,7 +193,7 @@ TEST(WalkStages, WalksSurviveAsTheirSamplesSay)
 
 TEST(WalkStages, PackingKeepsOrderAndLosesNothing)
 {
-  const FrontWorld world(someTriangles(1), WalkPlan(5000, 5000, 1), 11);
+  const FrontWorld world(someTriangles(), WalkPlan(5000, 5000, 1), 11);
   RandomVectors random(9);
   for (const SimdLevel level : simdLevels())
   {
@@ -218,16 +218,9 @@ TEST(WalkStages, PackingKeepsOrderAndLosesNothing)
         {
           continue;
         }
-        ASSERT_EQ(next.start[kept], front.hit[i]);
-        ASSERT_EQ(next.walk[kept], front.walk[i]);
-        ASSERT_EQ(next.bounce[kept], front.bounce[i] + 1);
-        ASSERT_EQ(next.block[kept], front.block[i]);
-        ASSERT_EQ(next.parent[kept], front.slot[i]);
-        ASSERT_EQ(next.side[kept], front.hitSide[i]);
+        ASSERT_TRUE(onwards(next, kept) == fromHit(front, i)) << "row " << i;
         ASSERT_EQ(next.isSpecular[kept], front.isSpecular[i]);
-        ASSERT_EQ(next.weightB[kept], front.weightB[i]);
-        ASSERT_EQ(next.weightC[kept], front.weightC[i]);
-        ASSERT_EQ(originOf(next, kept), originOf(front, i));
+        ASSERT_EQ(world.rayOf(next, kept).origin, world.rayOf(front, i).origin);
         ASSERT_EQ(directionOf(next, kept), directionOf(front, i));
         ASSERT_EQ(next.powerAt(kept, 3), front.powerAt(i, 3));
         ++kept;
@@ -255,7 +248,7 @@ TEST(WalkStages, RaysLeaveFromSurfacePoints)
         world.scene().worldTriangle(world.triangles().idOf(front.start[i])), { 1 - b - c, b, c });
       point.turn(before.side[i] != 0);
       ASSERT_EQ(front.side[i] != 0, point.isFront);
-      ASSERT_EQ(originOf(front, i), point.clearPosition());
+      ASSERT_EQ(world.rayOf(front, i).origin, point.clearPosition());
       const auto sample =
         integersOf(world.samples(), first + i, front.bounce[i], SampleUse::Direction);
       const CosineDirectionInFloat expected(static_cast<float>(point.normal[0]),
@@ -265,30 +258,6 @@ TEST(WalkStages, RaysLeaveFromSurfacePoints)
       ASSERT_GT(directionOf(front, i).dot(point.normal), 0);
     }
   });
-}
-
-// From less than the size of a proton's to more than the distance to other stars.
-TEST(WalkStages, ScalingByAPowerOfTwoChangesOnlyTheUnit)
-{
-  const WalkPlan plan(5000, 5000, 1);
-  const FrontWorld one(someTriangles(1), plan, 11);
-  WalkFront expected;
-  fill(expected, one, Bounces::Same, 0);
-  one.stages().leave(expected);
-  for (const int power : { -92, -30, 60 })
-  {
-    const double scale = std::ldexp(1.0, power);
-    const FrontWorld scaled(someTriangles(scale), plan, 11);
-    WalkFront front;
-    fill(front, scaled, Bounces::Same, 0);
-    scaled.stages().leave(front);
-    for (std::uint32_t i = 0; i < kFrontWalks; ++i)
-    {
-      ASSERT_EQ(originOf(front, i), scale * originOf(expected, i));
-      ASSERT_EQ(directionOf(front, i), directionOf(expected, i));
-      ASSERT_EQ(front.side[i], expected.side[i]);
-    }
-  }
 }
 
 TEST(WalkStages, SidesAreThoseThatTheRaysComeFrom)
@@ -333,46 +302,6 @@ TEST(WalkStages, ReplicatesAreThoseOfTheDivision)
   }
 }
 
-// Photon by photon, as CellSums itself numbers its sums: rounds, replicates, sides and bands.
-TEST(WalkStages, PhotonsAreTalliedWhereCellSumsKeepsThem)
-{
-  const FrontWorld world(someTriangles(1), WalkPlan(5000, 5000, 1), 11);
-  const WalkPlan plans[] = { WalkPlan(1000, 1000, 1), WalkPlan(100, 1000, 1),
-    WalkPlan(1000, 1000, 16), WalkPlan(100, 1000, 7) };
-  for (const SimdLevel level : simdLevels())
-  {
-    const SimdLimit limit(level);
-    for (const WalkPlan& plan : plans)
-    {
-      for (const std::size_t photons : { 1u, 100000u })
-      {
-        WalkFront front;
-        fill(front, world, Bounces::Mixed, 0);
-        const std::size_t rounds = plan.rounds().size();
-        CellSums sums(world.objects(), plan, rounds), expected(world.objects(), plan, rounds);
-        PowerBalance balance;
-        std::vector<Deposit> deposits;
-        const Power photon{ { 1000 } };
-        FrontTally(world.triangles(), sums, balance, photon, photons).receive(front);
-        for (std::size_t i = 0; i < kFrontWalks; ++i)
-        {
-          if (front.hit[i] != WalkFront::kNone)
-          {
-            const SceneCell cell = expected.cellOf(world.triangles().idOf(front.hit[i]));
-            expected.collect(
-              expected.slotOf(front.walk[i], cell), front.hitSide[i] != 0, photon, 1, deposits);
-          }
-        }
-        expected.add(deposits);
-        EXPECT_EQ(balance.absorbed, static_cast<std::int64_t>(deposits.size()) * photon);
-        EXPECT_EQ(
-          balance.escaped, static_cast<std::int64_t>(kFrontWalks - deposits.size()) * photon);
-        expectEqual(sums, expected);
-      }
-    }
-  }
-}
-
 // A direction may graze by less than its rounding to float.
 TEST(WalkStages, RoundedDirectionsStayOutOfTheSurface)
 {
@@ -395,13 +324,85 @@ TEST(WalkStages, RoundedDirectionsStayOutOfTheSurface)
 
 TEST(WalkStages, WalksThatNeverEndAreNamed)
 {
-  const FrontWorld world(someTriangles(1), WalkPlan(5000, 5000, 1), 11);
+  const FrontWorld world(someTriangles(), WalkPlan(5000, 5000, 1), 11);
   WalkFront front, next;
   fill(front, world, Bounces::Same, 0);
   std::fill_n(front.bounce.data(), kFrontWalks, (1u << 20) - 1);
   world.stages().absorb(front, next);
   std::fill_n(front.bounce.data(), kFrontWalks, 1u << 20);
   EXPECT_THROW(world.stages().absorb(front, next), std::runtime_error);
+}
+
+/// All columns of a row but for its power.
+auto columnsOf(WalkFront& front, std::size_t i)
+{
+  return std::tie(front.originX[i], front.originY[i], front.originZ[i], front.directionX[i],
+    front.directionY[i], front.directionZ[i], front.start[i], front.side[i], front.distance[i],
+    front.hit[i], front.weightB[i], front.weightC[i], front.hitSide[i], front.candidate[i],
+    front.walk[i], front.bounce[i], front.block[i], front.slot[i], front.parent[i],
+    front.isSpecular[i]);
+}
+
+int bandsOfPower(const WalkFront& front)
+{
+  return front.bands > 1 ? front.bands : 0;
+}
+
+/// Every column tells the number of the row, each in another way.
+void write(WalkFront& front, std::size_t place, std::uint32_t number)
+{
+  std::uint32_t column = 0;
+  const auto set = [&](auto& value) {
+    value = static_cast<std::decay_t<decltype(value)>>(number + 1000 * ++column);
+  };
+  std::apply([&](auto&... values) { (set(values), ...); }, columnsOf(front, place));
+  for (int band = 0; band < bandsOfPower(front); ++band)
+  {
+    front.power[band][place] = (std::int64_t{ ++column } << 40) + number;
+  }
+}
+
+void expectRow(WalkFront& front, std::size_t place, std::uint32_t number)
+{
+  WalkFront expected;
+  expected.reserve(1, front.bands);
+  write(expected, 0, number);
+  ASSERT_TRUE(columnsOf(front, place) == columnsOf(expected, 0)) << "row " << place;
+  ASSERT_EQ(front.powerAt(place, bandsOfPower(front)), expected.powerAt(0, bandsOfPower(front)));
+}
+
+TEST(WalkFront, TakesWholeRowsBehindItsOwn)
+{
+  constexpr std::uint32_t kRows = 500;
+  RandomVectors random(3);
+  for (const int bands : { 1, 2, 3 })
+  {
+    WalkFront from, to;
+    from.reserve(kRows, bands);
+    from.size = kRows;
+    for (std::uint32_t i = 0; i < kRows; ++i)
+    {
+      write(from, i, i);
+    }
+    std::vector<std::uint32_t> expected;
+    for (int trial = 0; trial < 50; ++trial)
+    {
+      const std::size_t first = random.engine() % (kRows + 1);
+      const std::size_t count = trial % 3 == 0 ? 0 : random.engine() % (kRows - first + 1);
+      to.take(from, first, count);
+      for (std::size_t i = first; i < first + count; ++i)
+      {
+        expected.push_back(static_cast<std::uint32_t>(i));
+      }
+      ASSERT_EQ(to.size, expected.size());
+    }
+    ASSERT_EQ(to.bands, bands);
+    for (std::size_t i = 0; i < to.size; ++i)
+    {
+      ASSERT_NO_FATAL_FAILURE(expectRow(to, i, expected[i]));
+    }
+    to.pad(); // there is room
+  }
 }
 
 }

@@ -16,7 +16,6 @@
  * Arguments: [walks = 1000000] [rounds = 5] [searches = 30000]
  */
 #include "../../PhotonWalks/HistoryPhotons.h"
-#include "../../PhotonWalks/OnlySet.h"
 #include "Measuring/EngineTiming.h"
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"

@@ -155,14 +155,14 @@ Run findNearest(const SceneObjects& objects, EngineSettings settings,
     engine.collectPhotons(execution);
     engine.prepareSurfaces(execution);
     const NearestPhotons nearest = engine.nearestPhotons();
-    const SensorDirectLight direct(engine);
+    const std::deque<PointDirectLight> lights = gatheredLightsOf(engine);
     for (std::size_t i = 0; i < sensors.size(); ++i)
     {
       const std::optional<Foot> foot = nearest.footOf(sensors[i], usualDistance(nearest));
       const NearestEstimate estimate =
         nearestEstimate(nearest, foot.value(), photons, usualRadius(nearest, photons));
-      values[static_cast<Eigen::Index>(i)] =
-        engine.watts(estimate.power[0]) / estimate.area + direct.irradiance(*foot, i)[0];
+      values[static_cast<Eigen::Index>(i)] = engine.watts(estimate.power[0]) / estimate.area +
+        directLightAt(*foot, i, lights, engine.scene())[0];
     }
     return values;
   });

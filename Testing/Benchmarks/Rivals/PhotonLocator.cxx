@@ -3,7 +3,6 @@
 
 #include "../../PhotonWalks/CountedSurface.h"
 #include "../../PhotonWalks/HistoryPhotons.h"
-#include "../../PhotonWalks/OnlySet.h"
 #include "Photons/NearestPhotons.h"
 #include "Rivals/PhotonMapField.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rivals/PhotonMapField.h"
 
-#include "../../PhotonWalks/OnlySet.h"
+#include "../../PhotonWalks/HistoryPhotons.h"
 #include "Walks/WalkSets.h"
 
 using namespace irradiance;
