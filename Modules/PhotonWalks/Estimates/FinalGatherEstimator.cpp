@@ -60,13 +60,13 @@ void FinalGatherEstimator::update(const EstimateRounds& rounds, Execution& execu
     walks().isEmpty() ? 0 : settings_.gatherRays, settings_.gathersEverywhere,
     !settings_.unbiasedGather);
   const CellShapes shapes = darkShapesOf(walks(), frame(), cancelPoint);
-  const std::deque<PointDirectLight> lights =
-    lightsOf(walks(), frame(), seed_, kSamplesOfHit);
+  const std::deque<PointDirectLight> lights = lightsOf(walks(), frame(), seed_, kSamplesOfHit);
   const std::vector<bool> found = foundLamps(walks(), frame().cells.numbers());
   const std::vector<bool> uneven = unevenCells(shapes, *roles_, walks(), cancelPoint);
-  FinalGatherScene scene{ frame(), shapes, *roles_, all, settings_.unbiasedGather ? nullptr : &direct,
-    walks().staleSums(), rounds.walks, lights, found, uneven, firstRays(),
-    1 / walks().watts(1.0, rounds.walks), seed_, keepsPaths() || mostRays_ > 0 };
+  FinalGatherScene scene{ frame(), shapes, *roles_, all,
+    settings_.unbiasedGather ? nullptr : &direct, walks().staleSums(), rounds.walks, lights, found,
+    uneven, firstRays(), 1 / walks().watts(1.0, rounds.walks), seed_,
+    keepsPaths() || mostRays_ > 0 };
   scene.tellsNoise = mostRays_ > 0;
   for (const WalkSet& set : walks().sets())
   {

@@ -41,10 +41,7 @@ public:
     return { sums_, sums_.plan(), 1, walks().largestStart(), this };
   }
 
-  std::size_t mostRayRounds() const override
-  {
-    return roundsWithin(firstRays(), mostRays_);
-  }
+  std::size_t mostRayRounds() const override { return roundsWithin(firstRays(), mostRays_); }
   std::uint64_t numberOfRays() const override { return raysAfter(firstRays(), rounds_.rays); }
   std::int64_t raySegments() const override { return gather_.segments(); }
   void dropRayRounds(std::size_t kept) override { gather_.dropRounds(keepsPaths() ? kept : 0); }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Views/OutgoingRadiance.h"
 
-
 #include <algorithm>
 #include <cmath>
 
