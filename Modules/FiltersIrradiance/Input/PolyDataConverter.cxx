@@ -12,6 +12,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 
 namespace irradiance
@@ -19,14 +20,6 @@ namespace irradiance
 
 namespace
 {
-
-/// Cells that deserve a warning: how many, and the first.
-struct OddCells
-{
-  vtkIdType count = 0, first = -1;
-
-  void add(vtkIdType cell) { first = count++ == 0 ? cell : first; }
-};
 
 class PolyDataConverter
 {
@@ -66,7 +59,7 @@ public:
     readSurfaces(input_->GetPolys(), [this] {
       if (!triangulate(corners_, target_.triangles))
       {
-        crossed_.add(cell_);
+        note(crossed_);
       }
     });
     readSurfaces(input_->GetStrips(), [this] {
@@ -157,7 +150,7 @@ private:
     forEachOwnCell(input_->GetVerts(), [this](vtkIdType count, const vtkIdType* ids) {
       if (largest(arrays_[Exitance]) > 0)
       {
-        exitanceElsewhere_.add(cell_);
+        note(exitanceElsewhere_);
       }
       if (!arrays_[Flux] || count == 0)
       {
@@ -186,11 +179,11 @@ private:
     forEachOwnCell(input_->GetLines(), [this](vtkIdType, const vtkIdType*) {
       if (largest(arrays_[Flux]) > 0)
       {
-        fluxElsewhere_.add(cell_);
+        note(fluxElsewhere_);
       }
       if (largest(arrays_[Exitance]) > 0)
       {
-        exitanceElsewhere_.add(cell_);
+        note(exitanceElsewhere_);
       }
     });
   }
@@ -224,11 +217,11 @@ private:
     }
     if (!(area > 0))
     {
-      withoutArea_.add(cell_);
+      note(withoutArea_);
     }
     if (largest(arrays_[Flux]) > 0)
     {
-      fluxElsewhere_.add(cell_);
+      note(fluxElsewhere_);
     }
     readReflectance();
     for (int band = 0; arrays_[Exitance] && band < bands_; ++band)
@@ -297,14 +290,14 @@ private:
   void checkMisplaced() const
   {
     const bool hasSurface = input_->GetNumberOfPolys() + input_->GetNumberOfStrips() > 0;
-    if (fluxElsewhere_.count > 0 && input_->GetNumberOfVerts() == 0)
+    if (fluxElsewhere_.cells > 0 && input_->GetNumberOfVerts() == 0)
     {
-      failAt(fluxElsewhere_.first,
+      failAt(fluxElsewhere_.firstCell,
         "has a radiant flux but is no vertex; surfaces emit by their radiant exitance, W/m2");
     }
-    if (exitanceElsewhere_.count > 0 && !hasSurface)
+    if (exitanceElsewhere_.cells > 0 && !hasSurface)
     {
-      failAt(exitanceElsewhere_.first,
+      failAt(exitanceElsewhere_.firstCell,
         "has a radiant exitance but no surface; vertices emit by their radiant flux, W");
     }
   }
@@ -312,16 +305,10 @@ private:
   std::vector<InputWarning> warnings() const
   {
     std::vector<InputWarning> warnings;
-    const auto add = [&](const OddCells& cells, const char* what, const char* consequence) {
-      if (cells.count > 0)
-      {
-        warnings.push_back({ where_, what, consequence, cells.count, cells.first });
-      }
-    };
-    add(withoutArea_, "have no area", "their irradiance is 0");
-    add(crossed_, "are polygons that cross themselves", "what lies inside is not clear");
-    add(fluxElsewhere_, "have a radiant flux but are no vertices", "it is not read there");
-    add(exitanceElsewhere_, "have a radiant exitance but no surface", "it is not read there");
+    const std::vector<InputWarning> odd{ withoutArea_, crossed_, fluxElsewhere_,
+      exitanceElsewhere_ };
+    std::copy_if(odd.begin(), odd.end(), std::back_inserter(warnings),
+      [](const InputWarning& warning) { return warning.cells > 0; });
     if (arrays_[Exponent] && !arrays_[Specular])
     {
       warnings.push_back(
@@ -329,6 +316,9 @@ private:
     }
     return warnings;
   }
+
+  /// Counts the cell being read.
+  void note(InputWarning& odd) const { odd.firstCell = odd.cells++ == 0 ? cell_ : odd.firstCell; }
 
   std::size_t cellOfTarget() const { return firstCell_ + static_cast<std::size_t>(cell_); }
   std::size_t slotOf(int band) const
@@ -384,10 +374,14 @@ private:
   std::size_t firstCell_; ///< in the target
   vtkIdType cell_ = 0;    ///< the cell being read, by VTK's number
   std::vector<Vector3> corners_;
-  OddCells withoutArea_;       ///< polygons and strips
-  OddCells crossed_;           ///< polygons that cross themselves
-  OddCells fluxElsewhere_;     ///< cells with a flux that are not vertices
-  OddCells exitanceElsewhere_; ///< vertices and lines with an exitance
+  /// Each counts the cells that it is about.
+  InputWarning withoutArea_{ where_, "have no area", "their irradiance is 0" };
+  InputWarning crossed_{ where_, "are polygons that cross themselves",
+    "what lies inside is not clear" };
+  InputWarning fluxElsewhere_{ where_, "have a radiant flux but are no vertices",
+    "it is not read there" };
+  InputWarning exitanceElsewhere_{ where_, "have a radiant exitance but no surface",
+    "it is not read there" };
 };
 
 }
