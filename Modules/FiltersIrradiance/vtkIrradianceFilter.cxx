@@ -340,7 +340,7 @@ public:
     if (shown.count > 0)
     {
       irradiance::ProgressSpan atItsEnd(execution, 1, 1);
-      const irradiance::PhotonSource source(output, "the output");
+      const irradiance::PhotonSource source(output, "the output", true);
       irradiance::writeWalks(shown, source, output, atItsEnd, walks);
     }
   }

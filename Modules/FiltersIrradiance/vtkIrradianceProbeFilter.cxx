@@ -170,8 +170,7 @@ void vtkIrradianceProbeFilter::Compute(vtkDataSet* input, vtkDataObject* scene, 
   vtkDataArray* normals = NormalsOf(input);
   const std::vector<irradiance::Sensor> sensors = ReadSensors(this, input, normals);
   const bool gathers = this->Estimate == Gathered;
-  using Need = irradiance::PhotonSource::Need;
-  const irradiance::PhotonSource source(scene, "the source", gathers ? Need::Sums : Need::Photons);
+  const irradiance::PhotonSource source(scene, "the source", !gathers);
   irradiance::SmpExecution execution = irradiance::executionOf(this);
   output->ShallowCopy(input);
   const irradiance::SensorRun run{ sensors, source.engine(), execution, output };

@@ -36,7 +36,7 @@ int vtkPhotonWalksFilter::RequestData(
   return irradiance::runFilter(this, output, [&] {
     if (!irradiance::isEmptyPieceRequested(outputs->GetInformationObject(0))) // each walk once
     {
-      const irradiance::PhotonSource source(input, "the input");
+      const irradiance::PhotonSource source(input, "the input", true);
       irradiance::SmpExecution execution = irradiance::executionOf(this);
       irradiance::writeWalks(
         { this->NumberOfWalks, this->CellPort, this->CellConnection, this->Cell }, source, input,

@@ -158,7 +158,7 @@ int vtkPointIrradianceFilter::FillInputPortInformation(int, vtkInformation* info
 
 void vtkPointIrradianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)
 {
-  const irradiance::PhotonSource source(input, "the input", irradiance::PhotonSource::Need::Sums);
+  const irradiance::PhotonSource source(input, "the input", false);
   const irradiance::IrradianceEngine& engine = *source.engine();
   irradiance::SmpExecution execution = irradiance::executionOf(this);
   const irradiance::CancelPoint reading = irradiance::cancelPointOf(execution, 0);

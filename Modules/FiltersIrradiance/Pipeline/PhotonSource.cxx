@@ -88,7 +88,7 @@ bool PhotonSource::isEmptyPiece(vtkMultiBlockDataSet* data, vtkInformation* outp
     isEmptyPieceRequested(output);
 }
 
-PhotonSource::PhotonSource(vtkDataObject* data, const char* what, Need need)
+PhotonSource::PhotonSource(vtkDataObject* data, const char* what, bool readsPhotons)
   : what_(what)
 {
   EngineReference* reference = referenceIn(data);
@@ -105,7 +105,7 @@ PhotonSource::PhotonSource(vtkDataObject* data, const char* what, Need need)
     throw InputError(std::string(what) +
       " is out of date: its vtkIrradianceFilter has executed since. Take its new output");
   }
-  if (need == Need::Photons && !engine_->storesWalks())
+  if (readsPhotons && !engine_->storesWalks())
   {
     throw InputError(std::string(what) +
       " was computed without keeping the photons, as nothing can move: connect the "
