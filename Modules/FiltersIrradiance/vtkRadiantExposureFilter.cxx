@@ -10,7 +10,6 @@
 #include "Progress/InputError.h"
 #include "Surfaces/SceneHash.h"
 #include "Time/ExposureIntegral.h"
-#include "Time/SpreadableLeaf.h"
 #include "Time/TimeKeys.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -325,7 +324,7 @@ private:
       {
         if (this->Of.NumberOfSpreadPhotons > 0)
         {
-          irradiance::expectReplicates(next);
+          irradiance::ExposureSums::expectReplicates(next);
         }
         this->Integral->take(next);
       }

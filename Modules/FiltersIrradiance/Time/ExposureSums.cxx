@@ -3,8 +3,9 @@
 
 #include "Data/ArrayNames.h"
 #include "Data/NamedArray.h"
+#include "Exposure/ExposureSpread.h"
+#include "Input/PolyDataConverter.h"
 #include "Progress/InputError.h"
-#include "Time/SpreadableLeaf.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
@@ -12,6 +13,7 @@
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,11 +30,6 @@ namespace
 using Leaf = ExposureSums::Leaf;
 using Side = ExposureSums::Side;
 
-bool hasCells(vtkDataSet* data)
-{
-  return data && data->GetNumberOfCells() > 0;
-}
-
 std::string errorName(const std::string& suffix)
 {
   return standardErrorName(irradianceName(suffix));
@@ -41,6 +38,15 @@ std::string errorName(const std::string& suffix)
 vtkDataArray* arrayOf(vtkDataSet* data, const std::string& name)
 {
   return data->GetCellData()->GetArray(name.c_str());
+}
+
+/// The sides of which there is irradiance.
+std::vector<const char*> sidesIn(vtkDataSetAttributes* values)
+{
+  std::vector<const char*> sides;
+  std::copy_if(kSideSuffixes.begin(), kSideSuffixes.end(), std::back_inserter(sides),
+    [&](const char* suffix) { return values->GetArray(irradianceName(suffix).c_str()); });
+  return sides;
 }
 
 /// The values of an array that an earlier time had, with so many components.
@@ -61,12 +67,8 @@ SharedValues checkedValues(const std::string& leaf, vtkDataSet* data, const std:
 /// Throws InputError for sensors, whose values belong to points.
 void checkCellValues(const LeafData& leaf)
 {
-  const auto hasIrradiance = [](vtkDataSetAttributes* values) {
-    return std::any_of(std::begin(kSideSuffixes), std::end(kSideSuffixes),
-      [&](const char* suffix) { return values->HasArray(irradianceName(suffix).c_str()) != 0; });
-  };
-  if (leaf.data && !hasIrradiance(leaf.data->GetCellData()) &&
-    (hasIrradiance(leaf.data->GetPointData()) ||
+  if (leaf.data && sidesIn(leaf.data->GetCellData()).empty() &&
+    (!sidesIn(leaf.data->GetPointData()).empty() ||
       leaf.data->GetPointData()->HasArray(kFluenceRate) != 0))
   {
     throw InputError(leaf.name +
@@ -114,12 +116,9 @@ Side newSide(const std::string& leaf, const std::string& suffix, vtkDataSet* dat
 std::vector<Side> sidesOf(const std::string& leaf, vtkDataSet* data)
 {
   std::vector<Side> sides;
-  for (const char* suffix : kSideSuffixes)
+  for (const char* suffix : sidesIn(data->GetCellData()))
   {
-    if (arrayOf(data, irradianceName(suffix)))
-    {
-      sides.push_back(newSide(leaf, suffix, data));
-    }
+    sides.push_back(newSide(leaf, suffix, data));
   }
   return sides;
 }
@@ -216,11 +215,29 @@ void appendSide(Side& side, const Side& next, bool isShared)
   }
 }
 
+/// Whether exposure is spread over the cells of a leaf: it is vtkPolyData with polygons or strips.
+bool isSpreadable(vtkDataSet* leaf)
+{
+  auto* surface = vtkPolyData::SafeDownCast(leaf);
+  return surface && surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0;
+}
+
+/// The cells of such a leaf. Throws InputError for cells that are no polygons.
+ExposedSurface surfaceOf(const Leaf& leaf, const CancelPoint& cancelPoint)
+{
+  ConvertedPolyData cells(1);
+  vtkPolyData* surface = vtkPolyData::SafeDownCast(leaf.geometry);
+  cells.reserve({ surface });
+  convertPolyData(leaf.name, surface, {}, 0, cells, cancelPoint);
+  return { std::move(cells.triangles), std::move(cells.material.cellOfTriangle),
+    cells.material.numberOfCells };
+}
+
 /// Front and back are spread together, as surfaces that are turned over may go on as each other;
 /// one of them alone would lose energy to the other, and stays as it is.
 void spreadLeaf(Leaf& leaf, double photons, Execution& execution)
 {
-  const ExposedSurface surface = surfaceOf(leaf.name, leaf.geometry, cancelPointOf(execution, 0));
+  const ExposedSurface surface = surfaceOf(leaf, cancelPointOf(execution, 0));
   std::vector<ExposedSide> halves;
   for (Side& side : leaf.sides)
   {
@@ -330,7 +347,7 @@ void ExposureSums::add(const TimedData& input, double weight)
     Leaf& leaf = leaves_[i];
     vtkDataSet* cells = leaves[i].data;
     checkCellValues(leaves[i]);
-    if (!hasCells(cells))
+    if (!cells || cells->GetNumberOfCells() == 0)
     {
       endRuns(leaf);
       continue;
@@ -417,6 +434,27 @@ void ExposureSums::write(vtkDataObject* last, vtkDataObject* output) const
   fillLeaves(last, output, [&](std::size_t i) { return written(leaves_[i], leaves[i].data); });
   output->GetInformation()->Remove(vtkDataObject::DATA_TIME_STEP());
   energies_.write(output->GetFieldData());
+}
+
+void ExposureSums::expectReplicates(vtkDataObject* data)
+{
+  for (const LeafData& leaf : leavesOf(data))
+  {
+    const bool isSpread = isSpreadable(leaf.data);
+    for (const char* suffix :
+      isSpread ? sidesIn(leaf.data->GetCellData()) : std::vector<const char*>{})
+    {
+      vtkDataArray* replicates = arrayOf(leaf.data, replicatesName(suffix));
+      if (!replicates ||
+        replicates->GetNumberOfComponents() <
+          2 * arrayOf(leaf.data, irradianceName(suffix))->GetNumberOfComponents())
+      {
+        throw InputError(leaf.name + " has no replicates of " + irradianceName(suffix) +
+          ", by which NumberOfSpreadPhotons counts its photons: switch ComputeStandardError of "
+          "vtkIrradianceFilter on, or set NumberOfSpreadPhotons to 0; data from files have none");
+      }
+    }
+  }
 }
 
 }

@@ -167,11 +167,8 @@ std::vector<double> stepTimes(vtkInformation* input, const TimeSpan& span)
 std::optional<double> timeBetweenSteps(vtkInformation* input, const TimeSpan& span)
 {
   const std::vector<double> steps = stepsOf(input);
-  if (steps.empty())
-  {
-    return std::nullopt;
-  }
-  return middleOf(span.start, timesWithin(steps, span)[1]);
+  return steps.empty() ? std::nullopt
+                       : std::optional<double>(middleOf(span.start, timesWithin(steps, span)[1]));
 }
 
 void checkTime(vtkInformation* input, double time, const TimeSpan& span)
