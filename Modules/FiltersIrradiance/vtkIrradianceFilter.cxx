@@ -202,15 +202,10 @@ std::string TargetMissed(const irradiance::IrradianceEngine& engine,
   {
     text << " and " << engine.numberOfGatherRays() << " rays a side";
   }
-  text << ": ";
-  if (std::isinf(engine.reachedRelativeError()))
-  {
-    text << "on more than 5 % of the area too few photons arrived to tell the error";
-  }
-  else
-  {
-    text << "95 % of the area is known to " << engine.reachedRelativeError();
-  }
+  const double reached = engine.reachedRelativeError();
+  std::isinf(reached)
+    ? text << ": on more than 5 % of the area too few photons arrived to tell the error"
+    : text << ": 95 % of the area is known to " << reached;
   return text.str();
 }
 
@@ -421,10 +416,9 @@ vtkIrradianceFilter::vtkIrradianceFilter()
   this->Internals->Controller = vtkMultiProcessController::GetGlobalController();
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
-  for (const irradiance::MaterialArrayRole& role : irradiance::kArrayRoles)
+  for (const char* name : irradiance::kArrayNames)
   {
-    this->SetInputArrayToProcess(
-      role.index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, role.defaultName);
+    this->SetCellArray(name, name);
   }
 }
 
@@ -509,17 +503,16 @@ void vtkIrradianceFilter::RemoveAllDynamicInputs()
 void vtkIrradianceFilter::SetCellArray(const char* quantity, const char* name)
 {
   const std::string wanted = quantity ? quantity : "";
-  for (const irradiance::MaterialArrayRole& role : irradiance::kArrayRoles)
+  const auto& all = irradiance::kArrayNames;
+  const auto* const found = std::find(all.begin(), all.end(), wanted);
+  if (found == all.end())
   {
-    if (wanted == role.defaultName)
-    {
-      const bool isNone = !name || std::string(name) == "None";
-      this->SetInputArrayToProcess(
-        role.index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, isNone ? "" : name);
-      return;
-    }
+    vtkErrorMacro(<< "SetCellArray: there is no quantity " << wanted);
+    return;
   }
-  vtkErrorMacro(<< "SetCellArray: there is no quantity " << wanted);
+  const bool isNone = !name || std::string(name) == "None";
+  this->SetInputArrayToProcess(static_cast<int>(found - all.begin()), 0, 0,
+    vtkDataObject::FIELD_ASSOCIATION_CELLS, isNone ? "" : name);
 }
 
 double vtkIrradianceFilter::GetFigure(const char* name)

@@ -93,7 +93,7 @@ private:
     const bool mayHaveThree = number != Exponent;
     std::ostringstream message, shape;
     message << where_ << ": the array " << (array->GetName() ? array->GetName() : "(unnamed)")
-            << " (" << kArrayRoles[number].meaning << ") has ";
+            << " (" << kArrayMeanings[number] << ") has ";
     shape << "; in NumPy its shape is (" << cells << ",)";
     if (mayHaveThree)
     {
@@ -148,10 +148,7 @@ private:
   void readPointLights()
   {
     forEachOwnCell(input_->GetVerts(), [this](vtkIdType count, const vtkIdType* ids) {
-      if (largest(arrays_[Exitance]) > 0)
-      {
-        note(exitanceElsewhere_);
-      }
+      noteLight(arrays_[Exitance], exitanceElsewhere_);
       if (!arrays_[Flux] || count == 0)
       {
         return;
@@ -177,14 +174,8 @@ private:
   void readLines()
   {
     forEachOwnCell(input_->GetLines(), [this](vtkIdType, const vtkIdType*) {
-      if (largest(arrays_[Flux]) > 0)
-      {
-        note(fluxElsewhere_);
-      }
-      if (largest(arrays_[Exitance]) > 0)
-      {
-        note(exitanceElsewhere_);
-      }
+      noteLight(arrays_[Flux], fluxElsewhere_);
+      noteLight(arrays_[Exitance], exitanceElsewhere_);
     });
   }
 
@@ -219,10 +210,7 @@ private:
     {
       note(withoutArea_);
     }
-    if (largest(arrays_[Flux]) > 0)
-    {
-      note(fluxElsewhere_);
-    }
+    noteLight(arrays_[Flux], fluxElsewhere_);
     readReflectance();
     for (int band = 0; arrays_[Exitance] && band < bands_; ++band)
     {
@@ -319,6 +307,16 @@ private:
 
   /// Counts the cell being read.
   void note(InputWarning& odd) const { odd.firstCell = odd.cells++ == 0 ? cell_ : odd.firstCell; }
+  /// Counts it if an array has a value above 0 there.
+  void noteLight(vtkDataArray* array, InputWarning& odd) const
+  {
+    bool isLight = false;
+    for (int band = 0; array && band < bands_; ++band)
+    {
+      isLight = isLight || value(array, band) > 0;
+    }
+    isLight ? note(odd) : void();
+  }
 
   std::size_t cellOfTarget() const { return firstCell_ + static_cast<std::size_t>(cell_); }
   std::size_t slotOf(int band) const
@@ -335,17 +333,6 @@ private:
   double value(vtkDataArray* array, int band) const
   {
     return array->GetComponent(cell_, array->GetNumberOfComponents() == 1 ? 0 : band);
-  }
-
-  /// The largest value of an array in the cell, 0 if there is none.
-  double largest(vtkDataArray* array) const
-  {
-    double largest = 0;
-    for (int band = 0; array && band < bands_; ++band)
-    {
-      largest = std::max(largest, value(array, band));
-    }
-    return largest;
   }
 
   double checked(const char* name, double value, double most, const char* unit = "") const
