@@ -120,10 +120,7 @@ public:
   /// @}
 
   /// @{
-  /**
-   * See Estimates. Default Gathered: on surfaces, too, it is less noisy in the same time, and blurs
-   * less.
-   */
+  /** See Estimates. Default Gathered: in the same time it has less noise, and less blur. */
   vtkSetClampMacro(Estimate, int, Nearest, Gathered);
   vtkGetMacro(Estimate, int);
   void SetEstimateToNearest() { this->SetEstimate(Nearest); }
@@ -146,9 +143,7 @@ public:
   void KeepRaysOff() { this->SetKeepRays(false); }
 
   /// @{
-  /**
-   * With Nearest, from how many photons the irradiance is estimated, 2 to 1,000,000. Default 50.
-   */
+  /** With Nearest, from how many photons irradiance is estimated, 2 to 1,000,000. Default 50. */
   vtkSetClampMacro(NumberOfPhotons, int, 2, 1000000);
   vtkGetMacro(NumberOfPhotons, int);
   /// @}

@@ -57,19 +57,15 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// @{
-  /**
-   * Where the eye is, in world coordinates; finite. Without effect while there is a camera. Default
-   * (0, 0, 0).
-   */
+  /** Where the eye is in the world, m, unless there is a camera; finite. Default (0, 0, 0). */
   vtkSetVector3Macro(EyePosition, double);
   vtkGetVector3Macro(EyePosition, double);
   /// @}
 
   /// @{
   /**
-   * The camera at whose position the eye is; with ParallelProjection the eye is infinitely far
-   * away, against its direction of projection. It is kept by reference: when it moves, the filter
-   * executes. Null for EyePosition. Default null.
+   * At whose position the eye is; with ParallelProjection it is infinitely far away, against the
+   * direction of projection. When the camera moves, the filter executes. Default null.
    */
   void SetCamera(vtkCamera* camera);
   vtkCamera* GetCamera();

@@ -77,8 +77,7 @@ public:
     TimeSteps = 0,       ///< StartTime, the input's TIME_STEPS after it, EndTime
     Uniform = 1,         ///< NumberOfTimeSteps equal intervals from StartTime to EndTime
     ErrorControlled = 2, ///< intervals are halved until RelativeTolerance is met
-    Automatic =
-      3 ///< ErrorControlled; TimeSteps if the input exists only at its TIME_STEPS, as files do
+    Automatic = 3 ///< ErrorControlled; TimeSteps if the input exists only at those, as files do
   };
 
   /// @{
