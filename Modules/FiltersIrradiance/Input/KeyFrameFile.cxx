@@ -44,12 +44,6 @@ Cells cellsOf(const std::string& line)
   return cells;
 }
 
-bool isSkipped(const std::string& line)
-{
-  const std::string content = trimmed(line);
-  return content.empty() || content.front() == '#';
-}
-
 /// The lines of a table, one after the other.
 class Table
 {
@@ -85,7 +79,7 @@ public:
 
   bool next()
   {
-    std::string line;
+    std::string line, content;
     do
     {
       if (!std::getline(stream_, line))
@@ -98,7 +92,8 @@ public:
       }
       ++line_;
       read_ += line.size() + 1;
-    } while (isSkipped(line));
+      content = trimmed(line);
+    } while (content.empty() || content.front() == '#');
     cells_ = cellsOf(line);
     return true;
   }

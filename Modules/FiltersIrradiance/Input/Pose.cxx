@@ -46,9 +46,6 @@ Matrix4 matrixOf(const std::string& where, vtkAbstractArray* anyArray)
   return matrix;
 }
 
-/// Areas scale with its square, and squared normals with its fourth power: all must stay above 0.
-constexpr double kSmallestScale = 1e-30;
-
 [[noreturn]] void fail(const std::string& where, const Matrix4& matrix, const std::string& what)
 {
   std::ostringstream message;
@@ -56,8 +53,10 @@ constexpr double kSmallestScale = 1e-30;
   throw InputError(message.str());
 }
 
-void checkInvertible(const std::string& where, const Matrix4& matrix)
+AffineMap mapOf(const std::string& where, const Matrix4& matrix)
 {
+  // Areas scale with its square, and squared normals with its fourth power: all must stay above 0.
+  constexpr double kSmallestScale = 1e-30;
   if (!matrix.allFinite())
   {
     fail(where, matrix, "is not finite");
@@ -75,11 +74,6 @@ void checkInvertible(const std::string& where, const Matrix4& matrix)
   {
     fail(where, matrix, "shrinks to less than " + text(kSmallestScale));
   }
-}
-
-AffineMap mapOf(const std::string& where, const Matrix4& matrix)
-{
-  checkInvertible(where, matrix);
   return { matrix.topLeftCorner<3, 3>(), matrix.topRightCorner<3, 1>() };
 }
 

@@ -39,14 +39,6 @@ bool isEqual(
   return isEqual;
 }
 
-void turnOver(std::vector<Triangle>& triangles)
-{
-  for (Triangle& triangle : triangles)
-  {
-    std::swap(triangle.b, triangle.c);
-  }
-}
-
 /// A finite map can take finite points to where squares and volumes are not finite.
 void checkReach(const std::string& where, const AffineMap& map, const Box& box)
 {
@@ -155,8 +147,12 @@ void SceneReader::readStatic(
   const std::vector<const InputPart*>& staticParts, const CancelPoint& cancelPoint)
 {
   std::vector<Stamp> stamps;
-  std::transform(staticParts.begin(), staticParts.end(), std::back_inserter(stamps),
-    [](const InputPart* part) { return stampOf(*part); });
+  std::vector<vtkPolyData*> inputs;
+  for (const InputPart* part : staticParts)
+  {
+    stamps.push_back(stampOf(*part));
+    inputs.push_back(part->polyData);
+  }
   if (staticStamps_ == stamps)
   {
     return;
@@ -164,9 +160,6 @@ void SceneReader::readStatic(
   hasNews_ = true;
   staticStamps_.reset(); // until all is read
   ConvertedPolyData all(bands_);
-  std::vector<vtkPolyData*> inputs;
-  std::transform(staticParts.begin(), staticParts.end(), std::back_inserter(inputs),
-    [](const InputPart* part) { return part->polyData; });
   all.reserve(inputs);
   for (const InputPart* part : staticParts)
   {
@@ -194,9 +187,9 @@ void SceneReader::readDynamic(
     ConvertedPolyData data(bands_);
     data.reserve({ part.polyData });
     convert(part, data, cancelPoint);
-    if (stamp.isMirrored)
+    for (std::size_t i = 0; stamp.isMirrored && i < data.triangles.size(); ++i)
     {
-      turnOver(data.triangles);
+      std::swap(data.triangles[i].b, data.triangles[i].c);
     }
     adopt(std::move(data), object, true, cancelPoint);
     dynamicStamps_[index] = stamp;

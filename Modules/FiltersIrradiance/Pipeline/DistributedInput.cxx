@@ -247,15 +247,6 @@ bool haveSameCells(vtkPolyData* a, vtkPolyData* b)
   return isSame;
 }
 
-/// Whether each process has all of a part, such as a lamp that each has made, or a source that
-/// knows no pieces.
-bool isWholeOnEach(const Pieces& pieces, const Ranks& ranks)
-{
-  return pieces.size() == ranks.count() &&
-    std::all_of(pieces.begin(), pieces.end(),
-      [&](vtkPolyData* piece) { return haveSameCells(piece, pieces.front()); });
-}
-
 /// Puts the pieces of a part together. `cells`: of this rank's piece.
 vtkSmartPointer<vtkPolyData> wholeOf(
   Pieces pieces, const Ranks& ranks, std::vector<std::size_t>& cells)
@@ -265,8 +256,11 @@ vtkSmartPointer<vtkPolyData> wholeOf(
     return vtkSmartPointer<vtkPolyData>::New();
   }
   std::uint32_t holder = ranks.rank();
-  if (isWholeOnEach(pieces, ranks))
+  if (pieces.size() == ranks.count() &&
+    std::all_of(pieces.begin(), pieces.end(),
+      [&](vtkPolyData* piece) { return haveSameCells(piece, pieces.front()); }))
   {
+    // Each process has all of it: a lamp that each has made, or a source that knows no pieces.
     pieces.resize(1);
     holder = 0;
   }
