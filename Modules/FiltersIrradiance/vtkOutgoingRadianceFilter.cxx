@@ -144,7 +144,6 @@ vtkMTimeType vtkOutgoingRadianceFilter::GetMTime()
 
 int vtkOutgoingRadianceFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  // Other data is refused in words that help.
   irradiance::setInputTypes(info, "vtkMultiBlockDataSet", "vtkDataObject");
   return 1;
 }

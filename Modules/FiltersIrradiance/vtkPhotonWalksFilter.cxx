@@ -16,7 +16,6 @@ vtkStandardNewMacro(vtkPhotonWalksFilter);
 
 int vtkPhotonWalksFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  // Other data is refused in words that help.
   irradiance::setInputTypes(info, "vtkMultiBlockDataSet", "vtkDataObject");
   return 1;
 }

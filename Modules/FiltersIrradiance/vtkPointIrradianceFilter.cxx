@@ -151,7 +151,6 @@ vtkPointIrradianceFilter::~vtkPointIrradianceFilter() = default;
 
 int vtkPointIrradianceFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  // Other data is refused in words that help.
   irradiance::setInputTypes(info, "vtkMultiBlockDataSet", "vtkDataObject");
   return 1;
 }

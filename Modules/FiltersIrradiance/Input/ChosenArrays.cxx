@@ -191,22 +191,18 @@ void checkChosenArrays(vtkAlgorithm* filter, const SceneInputs& inputs)
       ", chosen for the " + kArrayMeanings[quantity] + ",";
     const int association =
       informationOf(filter, quantity)->Get(vtkDataObject::FIELD_ASSOCIATION());
-    if (association == vtkDataObject::FIELD_ASSOCIATION_POINTS ||
-      association == vtkDataObject::FIELD_ASSOCIATION_NONE)
-    {
-      throw InputError(choice + " is to be read from the " +
+    throwIf(association == vtkDataObject::FIELD_ASSOCIATION_POINTS ||
+        association == vtkDataObject::FIELD_ASSOCIATION_NONE,
+      choice + " is to be read from the " +
         (association == vtkDataObject::FIELD_ASSOCIATION_POINTS ? "points" : "field data") +
         "; only cell arrays can be read");
-    }
     const auto parts = allPartsOf(inputs);
     const auto hasArray = [&](const InputPart* part) {
       return findArray(filter, quantity, part->polyData->GetCellData()) != nullptr;
     };
-    if (!parts.empty() && std::none_of(parts.begin(), parts.end(), hasArray) &&
-      !isDefault(filter, quantity) && !isNone(filter, quantity))
-    {
-      throw InputError(choice + " is not among the cell arrays of any input");
-    }
+    throwIf(!parts.empty() && std::none_of(parts.begin(), parts.end(), hasArray) &&
+        !isDefault(filter, quantity) && !isNone(filter, quantity),
+      choice + " is not among the cell arrays of any input");
   }
 }
 

@@ -48,10 +48,7 @@ public:
     for (vtkCellArray* cells :
       { input_->GetVerts(), input_->GetLines(), input_->GetPolys(), input_->GetStrips() })
     {
-      if (!cells->IsValid())
-      {
-        throw InputError(where_ + ": the offsets of a cell array are not valid");
-      }
+      throwIf(!cells->IsValid(), where_ + ": the offsets of a cell array are not valid");
     }
     makeRoom();
     readPointLights();

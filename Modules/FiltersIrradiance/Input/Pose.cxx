@@ -26,17 +26,13 @@ using Matrix4 = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
 Matrix4 matrixOf(const std::string& where, vtkAbstractArray* anyArray)
 {
   vtkDataArray* array = vtkDataArray::SafeDownCast(anyArray);
-  if (!array)
-  {
-    throw InputError(where + ": the field array " + anyArray->GetName() + " is a " +
-      anyArray->GetClassName() + ", not numbers");
-  }
+  throwIf(!array,
+    where + ": the field array " + anyArray->GetName() + " is a " + anyArray->GetClassName() +
+      ", not numbers");
   const vtkIdType values = array->GetNumberOfValues();
-  if (values != 16)
-  {
-    throw InputError(where + ": the field array " + anyArray->GetName() + " has " +
-      std::to_string(values) + " values, not 16");
-  }
+  throwIf(values != 16,
+    where + ": the field array " + anyArray->GetName() + " has " + std::to_string(values) +
+      " values, not 16");
   Matrix4 matrix;
   const int components = array->GetNumberOfComponents();
   for (int i = 0; i < 16; ++i)

@@ -50,10 +50,8 @@ void checkReach(const std::string& where, const AffineMap& map, const Box& box)
     (map.linear.cwiseAbs() * box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs()) +
       map.translation.cwiseAbs())
       .maxCoeff();
-  if (!(reach <= kMostDistant))
-  {
-    throw InputError(where + ": the transform takes points out of range, to " + text(reach) + " m");
-  }
+  throwIf(!(reach <= kMostDistant),
+    where + ": the transform takes points out of range, to " + text(reach) + " m");
 }
 
 /// Positions are doubles, and rays start 2^-33 of the largest coordinate off the surface.
@@ -66,11 +64,9 @@ void checkDigits(const SceneObjects& objects)
     scene.add(object.worldBounds());
   }
   const double size = scene.isEmpty() ? 0.0 : scene.extent().maxCoeff();
-  if (scene.magnitude() > kFarthest * size)
-  {
-    throw InputError("the scene is " + text(size) + " m large and " + text(scene.magnitude()) +
+  throwIf(scene.magnitude() > kFarthest * size,
+    "the scene is " + text(size) + " m large and " + text(scene.magnitude()) +
       " m away from the origin: too far for its size, as positions there have too few digits");
-  }
 }
 
 }

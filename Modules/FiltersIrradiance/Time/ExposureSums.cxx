@@ -54,28 +54,24 @@ SharedValues checkedValues(const std::string& leaf, vtkDataSet* data, const std:
   std::size_t components, double time)
 {
   vtkDataArray* array = arrayOf(data, name);
-  if (!array || static_cast<std::size_t>(array->GetNumberOfComponents()) != components)
-  {
-    throw InputError(leaf + ": the cell array " + name + " has " +
+  throwIf(!array || static_cast<std::size_t>(array->GetNumberOfComponents()) != components,
+    leaf + ": the cell array " + name + " has " +
       (array ? std::to_string(array->GetNumberOfComponents()) + " components" : "gone") +
       " at time " + text(time) + ", but " + std::to_string(components) +
       " components at an earlier visited time");
-  }
   return valuesOf(array);
 }
 
 /// Throws InputError for sensors, whose values belong to points.
 void checkCellValues(const LeafData& leaf)
 {
-  if (leaf.data && sidesIn(leaf.data->GetCellData()).empty() &&
-    (!sidesIn(leaf.data->GetPointData()).empty() ||
-      leaf.data->GetPointData()->HasArray(kFluenceRate) != 0))
-  {
-    throw InputError(leaf.name +
+  throwIf(leaf.data && sidesIn(leaf.data->GetCellData()).empty() &&
+      (!sidesIn(leaf.data->GetPointData()).empty() ||
+        leaf.data->GetPointData()->HasArray(kFluenceRate) != 0),
+    leaf.name +
       " has the light of points, as vtkIrradianceProbeFilter makes it, and a dose is one of cells: "
       "give each sensor a normal, and a vertex cell by vtkVertexGlyphFilter, before that filter, "
       "and put vtkPointDataToCellData behind it");
-  }
 }
 
 void checkStale(vtkFieldData* fields, double time)
@@ -127,12 +123,10 @@ void begin(Leaf& leaf, vtkDataSet* data, double time)
 {
   leaf.firstTime = time;
   leaf.sides = sidesOf(leaf.name, data);
-  if (leaf.sides.empty())
-  {
-    throw InputError(leaf.name + " has no cell array " + irradianceName() + ", or " +
-      irradianceName("Front") + " and " + irradianceName("Back") + ", at time " + text(time) +
+  throwIf(leaf.sides.empty(),
+    leaf.name + " has no cell array " + irradianceName() + ", or " + irradianceName("Front") +
+      " and " + irradianceName("Back") + ", at time " + text(time) +
       ": connect the output of vtkIrradianceFilter, or data that have such arrays");
-  }
 }
 
 void checkCells(const Leaf& leaf, vtkDataSet* data, double time)
@@ -327,13 +321,10 @@ void ExposureSums::checkStructure(const std::vector<LeafData>& leaves, double ti
   }
   const bool isSame = std::equal(leaves.begin(), leaves.end(), leaves_.begin(), leaves_.end(),
     [](const LeafData& a, const Leaf& b) { return a.flatIndex == b.flatIndex; });
-  if (!isSame)
-  {
-    throw InputError("the structure of the input differs: it has " +
-      std::to_string(leaves_.size()) + " blocks at time " + text(firstTime_) + " and " +
-      std::to_string(leaves.size()) + " blocks, or others, at time " + text(time) +
-      ". A part that is not there is an empty block");
-  }
+  throwIf(!isSame,
+    "the structure of the input differs: it has " + std::to_string(leaves_.size()) +
+      " blocks at time " + text(firstTime_) + " and " + std::to_string(leaves.size()) +
+      " blocks, or others, at time " + text(time) + ". A part that is not there is an empty block");
 }
 
 void ExposureSums::add(const TimedData& input, double weight)
@@ -391,13 +382,10 @@ void ExposureSums::append(ExposureSums next)
     }
     else if (later.geometry)
     {
-      if (!std::equal(
-            leaf.sides.begin(), leaf.sides.end(), later.sides.begin(), later.sides.end(), isAlike))
-      {
-        throw InputError(leaf.name +
-          " has other cell arrays of irradiance or of its errors at time " + text(later.firstTime) +
-          " than before");
-      }
+      throwIf(!std::equal(leaf.sides.begin(), leaf.sides.end(), later.sides.begin(),
+                later.sides.end(), isAlike),
+        leaf.name + " has other cell arrays of irradiance or of its errors at time " +
+          text(later.firstTime) + " than before");
       for (std::size_t side = 0; side < leaf.sides.size(); ++side)
       {
         appendSide(leaf.sides[side], later.sides[side], leaf.time == later.firstTime);
@@ -445,14 +433,12 @@ void ExposureSums::expectReplicates(vtkDataObject* data)
       isSpread ? sidesIn(leaf.data->GetCellData()) : std::vector<const char*>{})
     {
       vtkDataArray* replicates = arrayOf(leaf.data, replicatesName(suffix));
-      if (!replicates ||
-        replicates->GetNumberOfComponents() <
-          2 * arrayOf(leaf.data, irradianceName(suffix))->GetNumberOfComponents())
-      {
-        throw InputError(leaf.name + " has no replicates of " + irradianceName(suffix) +
+      throwIf(!replicates ||
+          replicates->GetNumberOfComponents() <
+            2 * arrayOf(leaf.data, irradianceName(suffix))->GetNumberOfComponents(),
+        leaf.name + " has no replicates of " + irradianceName(suffix) +
           ", by which NumberOfSpreadPhotons counts its photons: switch ComputeStandardError of "
           "vtkIrradianceFilter on, or set NumberOfSpreadPhotons to 0; data from files have none");
-      }
     }
   }
 }
