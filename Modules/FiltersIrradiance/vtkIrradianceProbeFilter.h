@@ -76,11 +76,9 @@
  * change all do. A point light beside cells with a SpecularReflectance is an error.
  * Documentation/Theory.md, section 5.8.
  *
- * While walks are stale (RepairTimeBudget), both estimates rest on them.
- *
  * @section ProbeTime Time
  * TIME_STEPS and TIME_RANGE unite the times of the source and of the sensors. The requested time
- * goes to both.
+ * goes to both. While walks are stale (RepairTimeBudget), both estimates rest on them.
  *
  * @section ProbeErrors Errors
  * A source that is no such output, that is out of date, or a part of one; with Nearest sensors

@@ -25,9 +25,7 @@
  *   mirrors. Lobes ask the lights as well as their rays; so narrow ones, and small lamps, have
  *   little noise. What is smaller than a cell is averaged away.
  *
- * A mirror cannot see a point light; nor does a lobe see what a point light sends it by way of a
- * mirror.
- *
+ * A mirror cannot see a point light, nor a lobe what a point light sends it by way of a mirror.
  * What stands between eye and cell is not looked at: a renderer knows what is hidden. An eye may be
  * anywhere, also inside a body, of whose cells it sees the back; at a cell's own place it sees no
  * direction to the light from there. Cells without area, vertices and lines have 0. While walks are
