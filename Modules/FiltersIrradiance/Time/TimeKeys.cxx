@@ -147,12 +147,10 @@ std::vector<double> stepTimes(vtkInformation* input, const TimeSpan& span)
   throwIf(steps.size() < 2,
     "IntegrationMode is TimeSteps, but the input has " + std::to_string(steps.size()) +
       " TIME_STEPS, and 2 at least are needed: choose Uniform or ErrorControlled");
-  if (std::none_of(steps.begin(), steps.end(),
-        [&](double step) { return step >= span.start && step <= span.end; }))
-  {
-    throw InputError("none of the input's TIME_STEPS is within " + rangeText(span) +
+  throwIf(std::none_of(steps.begin(), steps.end(),
+            [&](double step) { return step >= span.start && step <= span.end; }),
+    "none of the input's TIME_STEPS is within " + rangeText(span) +
       " (StartTime to EndTime), so IntegrationMode TimeSteps is not possible");
-  }
   return timesWithin(steps, span);
 }
 
