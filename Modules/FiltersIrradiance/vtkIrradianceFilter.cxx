@@ -77,18 +77,15 @@ void ReadErrorSettings(vtkIrradianceFilter* filter, irradiance::EngineSettings& 
   const double target = filter->GetTargetRelativeError();
   const std::uint32_t replicates =
     irradiance::checked("NumberOfReplicates", filter->GetNumberOfReplicates(), 2, mostReplicates);
-  if (!(target >= 0 && target <= 1))
-  {
-    throw irradiance::InputError("TargetRelativeError is " + irradiance::text(target) +
+  irradiance::throwIf(!(target >= 0 && target <= 1),
+    "TargetRelativeError is " + irradiance::text(target) +
       "; it has to be positive and at most 1, or 0 for no target (5 % is 0.05)");
-  }
   if (target > 0)
   {
-    if (const double effort = filter->GetMaximumEffort(); effort != 0 && !(effort >= 1))
-    {
-      throw irradiance::InputError("MaximumEffort is " + irradiance::text(effort) +
+    const double effort = filter->GetMaximumEffort();
+    irradiance::throwIf(effort != 0 && !(effort >= 1),
+      "MaximumEffort is " + irradiance::text(effort) +
         "; it has to be 1 or more, or 0 for 10,000,000 walks and 1024 rays");
-    }
     settings.targetRelativeError = target;
     settings.maximumNumberOfWalks =
       irradiance::checked("MaximumNumberOfWalks, which is at least NumberOfWalks,",
@@ -109,20 +106,14 @@ void ReadErrorSettings(vtkIrradianceFilter* filter, irradiance::EngineSettings& 
 irradiance::CellEstimate AskedEstimate(vtkIrradianceFilter* filter)
 {
   using irradiance::CellEstimate;
-  switch (filter->GetCellEstimate())
-  {
-    case vtkIrradianceFilter::Spread:
-      return CellEstimate::Spread;
-    case vtkIrradianceFilter::FinalGather:
-      return CellEstimate::Gathered;
-    case vtkIrradianceFilter::Sums:
-    case vtkIrradianceFilter::AutomaticEstimate:
-      return CellEstimate::Sums;
-    default:
-      throw irradiance::InputError("CellEstimate is " + std::to_string(filter->GetCellEstimate()) +
-        ", which was Nearest: for cells there are Spread (1) and Gathered (3), and for points the "
-        "Estimate Nearest of vtkIrradianceProbeFilter");
-  }
+  constexpr int nearest = 2;
+  const int estimate = filter->GetCellEstimate();
+  irradiance::throwIf(estimate == nearest,
+    "CellEstimate is 2, which was Nearest: for cells there are Spread (1) and Gathered (3), and "
+    "for points the Estimate Nearest of vtkIrradianceProbeFilter");
+  return estimate == vtkIrradianceFilter::Spread   ? CellEstimate::Spread
+    : estimate == vtkIrradianceFilter::FinalGather ? CellEstimate::Gathered
+                                                   : CellEstimate::Sums;
 }
 
 /// With what is possible where a property is left to the scene.
@@ -130,17 +121,12 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
 {
   constexpr vtkIdType mostSpreadPhotons = 1000000, mostRays = 4096;
   const double budget = filter->GetRepairTimeBudget();
-  if (!(budget >= 0))
-  {
-    throw irradiance::InputError("RepairTimeBudget is " + std::to_string(budget) +
+  irradiance::throwIf(!(budget >= 0),
+    "RepairTimeBudget is " + std::to_string(budget) +
       "; 0 (none) or a positive number of seconds is possible");
-  }
   const double reflectance = filter->GetDefaultDiffuseReflectance();
-  if (!(reflectance >= 0 && reflectance <= 1))
-  {
-    throw irradiance::InputError(
-      "DefaultDiffuseReflectance is " + irradiance::text(reflectance) + "; 0 to 1 is possible");
-  }
+  irradiance::throwIf(!(reflectance >= 0 && reflectance <= 1),
+    "DefaultDiffuseReflectance is " + irradiance::text(reflectance) + "; 0 to 1 is possible");
   irradiance::EngineSettings settings;
   settings.numberOfWalks =
     irradiance::checked("NumberOfWalks", filter->GetNumberOfWalks(), 1, MostWalks);
@@ -156,18 +142,14 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
   settings.cellEstimate = AskedEstimate(filter);
   settings.spreadPhotons = irradiance::checked(
     "NumberOfSpreadPhotons", filter->GetNumberOfSpreadPhotons(), 1, mostSpreadPhotons);
-  if (filter->GetGatherOn() != vtkIrradianceFilter::SmallCells &&
-    filter->GetGatherOn() != vtkIrradianceFilter::AllCells)
-  {
-    throw irradiance::InputError("GatherOn is " + std::to_string(filter->GetGatherOn()) +
+  irradiance::throwIf(filter->GetGatherOn() != vtkIrradianceFilter::SmallCells &&
+      filter->GetGatherOn() != vtkIrradianceFilter::AllCells,
+    "GatherOn is " + std::to_string(filter->GetGatherOn()) +
       ", which was DynamicCells: set Method to Gathered or GatheredEverywhere");
-  }
   settings.gathersEverywhere = filter->GetGatherOn() == vtkIrradianceFilter::AllCells;
   settings.unbiasedGather = filter->GetUnbiasedGather() != 0;
-  if (const std::string conflict = irradiance::conflictOf(settings, settings); !conflict.empty())
-  {
-    throw irradiance::InputError(conflict);
-  }
+  const std::string conflict = irradiance::conflictOf(settings, settings);
+  irradiance::throwIf(!conflict.empty(), conflict);
   return settings;
 }
 
@@ -181,14 +163,11 @@ void KeepWhatIsRead(irradiance::EngineSettings& settings, vtkInformation* reques
     areWalksRead || irradiance::isRequested(request, irradiance::UpstreamRequest::Photons);
   settings.keepPhotons = settings.allOnEachRank || areWalksShown;
   settings.listRepaired = areWalksShown || areWalksRead;
-  if (settings.allOnEachRank && settings.repairTimeBudget > 0 && ranks.areSeveral())
-  {
-    throw irradiance::InputError("RepairTimeBudget is " +
-      irradiance::text(settings.repairTimeBudget) + ", but there are " +
+  irradiance::throwIf(settings.allOnEachRank && settings.repairTimeBudget > 0 && ranks.areSeveral(),
+    "RepairTimeBudget is " + irradiance::text(settings.repairTimeBudget) + ", but there are " +
       std::to_string(ranks.count()) +
       " processes, and each of them would repair other photons for vtkPhotonWalksFilter or "
       "vtkIrradianceProbeFilter: set it to 0");
-  }
 }
 
 std::string TargetMissed(const irradiance::IrradianceEngine& engine,
@@ -202,15 +181,10 @@ std::string TargetMissed(const irradiance::IrradianceEngine& engine,
   {
     text << " and " << engine.numberOfGatherRays() << " rays a side";
   }
-  text << ": ";
-  if (std::isinf(engine.reachedRelativeError()))
-  {
-    text << "on more than 5 % of the area too few photons arrived to tell the error";
-  }
-  else
-  {
-    text << "95 % of the area is known to " << engine.reachedRelativeError();
-  }
+  const double reached = engine.reachedRelativeError();
+  std::isinf(reached)
+    ? text << ": on more than 5 % of the area too few photons arrived to tell the error"
+    : text << ": 95 % of the area is known to " << reached;
   return text.str();
 }
 
@@ -238,12 +212,9 @@ public:
     const int dynamics = inputs[1]->GetNumberOfInformationObjects();
     const int last = this->Poses.empty() ? -1 : this->Poses.rbegin()->first;
     const int first = this->Poses.empty() ? 0 : this->Poses.begin()->first;
-    if (first < 0 || last >= dynamics)
-    {
-      throw irradiance::InputError("there is a transform for dynamic connection " +
-        std::to_string(first < 0 ? first : last) + ", but input port 1 has " +
-        std::to_string(dynamics) + " connections");
-    }
+    irradiance::throwIf(first < 0 || last >= dynamics,
+      "there is a transform for dynamic connection " + std::to_string(first < 0 ? first : last) +
+        ", but input port 1 has " + std::to_string(dynamics) + " connections");
     irradiance::SceneInputs read;
     for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i)
     {
@@ -264,13 +235,11 @@ public:
   {
     if (this->Filter->GetDistributedInput())
     {
-      if (!this->GetSharing() && irradiance::ControllerRanks(this->Controller).areSeveral())
-      {
-        throw irradiance::InputError(
-          "DistributedInput is on, but the processes share the times of a "
-          "vtkRadiantExposureFilter, so each needs the whole scene: set it to off, or that "
-          "filter's Controller to null");
-      }
+      irradiance::throwIf(
+        !this->GetSharing() && irradiance::ControllerRanks(this->Controller).areSeveral(),
+        "DistributedInput is on, but the processes share the times of a "
+        "vtkRadiantExposureFilter, so each needs the whole scene: set it to off, or that "
+        "filter's Controller to null");
       this->Pieces.complete(this->Filter, ranks, inputs);
     }
     irradiance::checkChosenArrays(this->Filter, inputs);
@@ -340,7 +309,7 @@ public:
     if (shown.count > 0)
     {
       irradiance::ProgressSpan atItsEnd(execution, 1, 1);
-      const irradiance::PhotonSource source(output, "the output");
+      const irradiance::PhotonSource source(output, "the output", true);
       irradiance::writeWalks(shown, source, output, atItsEnd, walks);
     }
   }
@@ -421,10 +390,9 @@ vtkIrradianceFilter::vtkIrradianceFilter()
   this->Internals->Controller = vtkMultiProcessController::GetGlobalController();
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
-  for (const irradiance::MaterialArrayRole& role : irradiance::kArrayRoles)
+  for (const char* name : irradiance::kArrayNames)
   {
-    this->SetInputArrayToProcess(
-      role.index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, role.defaultName);
+    this->SetCellArray(name, name);
   }
 }
 
@@ -509,17 +477,16 @@ void vtkIrradianceFilter::RemoveAllDynamicInputs()
 void vtkIrradianceFilter::SetCellArray(const char* quantity, const char* name)
 {
   const std::string wanted = quantity ? quantity : "";
-  for (const irradiance::MaterialArrayRole& role : irradiance::kArrayRoles)
+  const auto& all = irradiance::kArrayNames;
+  const auto* const found = std::find(all.begin(), all.end(), wanted);
+  if (found == all.end())
   {
-    if (wanted == role.defaultName)
-    {
-      const bool isNone = !name || std::string(name) == "None";
-      this->SetInputArrayToProcess(
-        role.index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, isNone ? "" : name);
-      return;
-    }
+    vtkErrorMacro(<< "SetCellArray: there is no quantity " << wanted);
+    return;
   }
-  vtkErrorMacro(<< "SetCellArray: there is no quantity " << wanted);
+  const bool isNone = !name || std::string(name) == "None";
+  this->SetInputArrayToProcess(static_cast<int>(found - all.begin()), 0, 0,
+    vtkDataObject::FIELD_ASSOCIATION_CELLS, isNone ? "" : name);
 }
 
 double vtkIrradianceFilter::GetFigure(const char* name)
@@ -686,7 +653,6 @@ vtkExecutive* vtkIrradianceFilter::CreateDefaultExecutive()
 
 int vtkIrradianceFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  // It refuses what is no polydata itself, once and with a hint; the executive repeats itself.
   irradiance::setInputTypes(info, "vtkDataObjectTree", "vtkDataObject");
   info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);

@@ -3,10 +3,10 @@
  * @class   vtkIrradianceFilter
  * @brief   irradiance of every cell of a scene in which things move
  *
- * Shoots photon walks from the lights of the scene and stores them if something may move. Each
- * further update verifies the stored walks against the objects that moved, and repairs only those
- * that changed. The result equals a new filter's on the same input, bit for bit, for any number of
- * threads, any traversal mode, with and without the cache (but see RepairTimeBudget).
+ * Shoots photon walks from the lights and stores them if something may move. Each further update
+ * repairs only the walks that a motion changed. The result equals a new filter's on the same input,
+ * bit for bit, for any number of threads, any traversal mode, with and without the cache (but see
+ * RepairTimeBudget).
  * After Szecsi, Benedek and Szirmay-Kalos, "Accelerating Animation Through Verification of Shooting
  * Walks" (SCCG 2003). Documentation/Guide.md tells more of all that follows.
  *
@@ -85,8 +85,8 @@ public:
    * Pose (model to world) of the i-th connection of port 1, an invertible affine map; null: the
    * field-data array `ObjectToWorld` (16 values, row by row) of the input, or else the identity. A
    * leaf of composite data with an `ObjectToWorld` is moved by that first. It is kept by reference:
-   * setting or changing it makes the filter execute, even during a run. Indices follow the
-   * connections: after removing one, set the transforms again.
+   * changing it makes the filter execute, even during a run. After removing a connection, set the
+   * transforms again.
    */
   void SetDynamicTransform(int i, vtkLinearTransform* worldFromObject);
   vtkLinearTransform* GetDynamicTransform(int i);
@@ -96,10 +96,7 @@ public:
   void RemoveAllDynamicTransforms();
 
   /// @{
-  /**
-   * The pose of connection i as 16 values, row by row, with (0, 0, 0, 1) in the last row. Like
-   * SetDynamicTransform with a new transform; it is for callers that have numbers.
-   */
+  /** SetDynamicTransform by 16 values, row by row, with (0, 0, 0, 1) in the last row. */
   void SetDynamicMatrix(int i, double m00, double m01, double m02, double m03, double m10,
     double m11, double m12, double m13, double m20, double m21, double m22, double m23, double m30,
     double m31, double m32, double m33);
@@ -110,18 +107,17 @@ public:
   void RemoveAllDynamicInputs();
 
   /**
-   * From which cell array a quantity is read. `quantity`: the default name of an array in the table
-   * above, such as "DiffuseReflectance"; another is an error. `name`: any other array with that
-   * meaning. Empty, null or "None": the quantity is read from none, even if there is such an array.
+   * From which cell array a quantity is read. `quantity`: a default name of the table above, such
+   * as "DiffuseReflectance"; another is an error. `name`: empty, null or "None": from none.
    */
   void SetCellArray(const char* quantity, const char* name);
 
   /// @{
   /**
-   * See Methods. Walks and PathTraced are without bias. SpreadWalks trades noise for blur. Rays of
-   * Gathered and GatheredEverywhere take the cells that they hit for evenly lit, a bias of about a
-   * percent that shrinks with these cells. The fields `DirectLight` (0 shot, 1 gathered) and
-   * `CellEstimate` (0 sums, 1 spread, 3 rays) of the output say what Automatic chose.
+   * Walks and PathTraced are without bias. SpreadWalks trades noise for blur. Rays of Gathered and
+   * GatheredEverywhere take the cells that they hit for evenly lit, a bias of about a percent that
+   * shrinks with these cells. The fields `DirectLight` (0 shot, 1 gathered) and `CellEstimate`
+   * (0 sums, 1 spread, 3 rays) say what Automatic chose.
    *
    * With the three last methods, and where Automatic gathers, `EmittedPower` is that of the lights
    * and equals `AbsorbedPower` + `EscapedPower`, but how these divide is an estimate: in a closed
@@ -203,8 +199,8 @@ public:
 
   /// @{
   /**
-   * Whether the irradiance of the two sides of a cell is computed separately: `IrradianceFront` and
-   * `IrradianceBack` in place of `Irradiance`, which adds up both. Default off.
+   * Whether each side of a cell has an array: `IrradianceFront` and `IrradianceBack` in place of
+   * `Irradiance`, which adds up both. Default off.
    */
   vtkSetMacro(SeparateSides, vtkTypeBool);
   vtkGetMacro(SeparateSides, vtkTypeBool);
@@ -232,9 +228,7 @@ public:
   /// @}
 
   /// @{
-  /**
-   * Chooses the random scrambling of the samples. Two seeds give independent results. Default 1.
-   */
+  /** Of the random scrambling of the samples: two seeds give independent results. Default 1. */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   /// @}
@@ -243,25 +237,23 @@ public:
   /**
    * The processes that share the walks; null: this one alone. Each has the whole scene, shoots and
    * stores its part of the walks, and has the whole output, with the bits of one process alone. All
-   * have to update the filter at the same time, with the same inputs and settings; else, or if one
-   * fails, each has one error. HistoryBytes and the seconds are this process's own. Where single
-   * photons are read (vtkPhotonWalksFilter, vtkIrradianceProbeFilter with Estimate Nearest) each
-   * shoots and stores all walks, which excludes a RepairTimeBudget. See "Several processes" in the
-   * Guide. Default: VTK's global controller when the filter is made, so this process alone unless a
-   * program, such as ParaView's server, has set another.
+   * have to update at the same time, with the same inputs and settings; else, or if one fails, each
+   * has one error. HistoryBytes and the seconds are this process's own. Where single photons are
+   * read (vtkPhotonWalksFilter, vtkIrradianceProbeFilter with Estimate Nearest) each shoots and
+   * stores all walks, which excludes a RepairTimeBudget. See "Several processes" in the Guide.
+   * Default: VTK's global controller when the filter is made: for most programs this process alone.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
   /// @}
 
   /**
-   * A figure of the last update by its name in the field data of the output, such as
-   * "EmittedPower"; the sum over bands. W, seconds, bytes; NaN where the output has no such figure.
+   * A figure of the output's field data, such as "EmittedPower", summed over bands; W, seconds,
+   * bytes; NaN where there is none.
    */
   double GetFigure(const char* name);
 
   /// @name Advanced
-  /// Few scenes need these.
   /// @{
 
   /// How rays search the static and the dynamic geometry; the result is the same.
@@ -299,9 +291,8 @@ public:
 
   /// @{
   /**
-   * Whether a static hit that a dynamic object hides is kept for when the object has gone again.
-   * The result is the same. Default off: to keep the hits costs about 15 % of a frame, more than
-   * they save.
+   * Whether a static hit that a dynamic object hides is kept for when that has gone again. The
+   * result is the same. Default off: it costs about 15 % of a frame, more than it saves.
    */
   vtkSetMacro(CacheStaticHits, vtkTypeBool);
   vtkGetMacro(CacheStaticHits, vtkTypeBool);
@@ -331,13 +322,12 @@ public:
   /// @{
   /**
    * Whether each process of the Controller has a piece of every input, instead of all of it. The
-   * filter puts the pieces together on each process; its output has the cells of the process's own.
-   * Cells are ordered by their global ids, if they have some, and else by their places, so the
-   * result does not depend on the division; it has other bits than that of the same input in
-   * another order. A part that all processes have alike is whole, and counts once. All pieces with
-   * cells need the same cell arrays, and the inputs the same blocks; the pose of a part is that of
-   * the first process that has cells of it. Walks to look at cannot be chosen by a cell. Default
-   * off.
+   * pieces are put together on each process; its output has the cells of its own. Cells are ordered
+   * by their global ids, or else by their places, so the result does not depend on the division; it
+   * has other bits than that of the same input in another order. A part that all processes have
+   * alike counts once. All pieces with cells need the same cell arrays, and the inputs the same
+   * blocks; the pose of a part is that of the first process that has cells of it. Walks to look at
+   * cannot be chosen by a cell. Default off.
    */
   vtkSetMacro(DistributedInput, vtkTypeBool);
   vtkGetMacro(DistributedInput, vtkTypeBool);

@@ -48,14 +48,11 @@ vtkDataArray* NormalsOf(vtkDataSet* input)
 std::vector<irradiance::Sensor> ReadSensors(
   vtkIrradianceProbeFilter* filter, vtkDataSet* input, vtkDataArray* normals)
 {
-  if (filter->GetEstimate() == vtkIrradianceProbeFilter::Nearest && !normals &&
-    input->GetNumberOfPoints() > 0)
-  {
-    throw irradiance::InputError(
-      "the sensors have no point normals: with Estimate Nearest a sensor needs the direction from "
-      "which it receives light (vtkPolyDataNormals computes normals of surfaces). Estimate "
-      "Gathered finds the fluence rate, from all directions, without them");
-  }
+  irradiance::throwIf(filter->GetEstimate() == vtkIrradianceProbeFilter::Nearest && !normals &&
+      input->GetNumberOfPoints() > 0,
+    "the sensors have no point normals: with Estimate Nearest a sensor needs the direction from "
+    "which it receives light (vtkPolyDataNormals computes normals of surfaces). Estimate "
+    "Gathered finds the fluence rate, from all directions, without them");
   if (normals && normals->GetNumberOfComponents() != 3)
   {
     throw irradiance::InputError("the normals of the sensors have " +
@@ -88,11 +85,9 @@ std::vector<irradiance::Sensor> ReadSensors(
 /// No property but 0, which stands for a default, may be other than positive.
 void CheckPositive(const char* name, double value)
 {
-  if (!(value >= 0))
-  {
-    throw irradiance::InputError(std::string(name) + " is " + irradiance::text(value) +
+  irradiance::throwIf(!(value >= 0),
+    std::string(name) + " is " + irradiance::text(value) +
       "; it has to be positive, or 0 for what suits the scene");
-  }
 }
 
 /// The executive would take the time of the sensors, which may not change with time.
@@ -170,8 +165,7 @@ void vtkIrradianceProbeFilter::Compute(vtkDataSet* input, vtkDataObject* scene, 
   vtkDataArray* normals = NormalsOf(input);
   const std::vector<irradiance::Sensor> sensors = ReadSensors(this, input, normals);
   const bool gathers = this->Estimate == Gathered;
-  using Need = irradiance::PhotonSource::Need;
-  const irradiance::PhotonSource source(scene, "the source", gathers ? Need::Sums : Need::Photons);
+  const irradiance::PhotonSource source(scene, "the source", !gathers);
   irradiance::SmpExecution execution = irradiance::executionOf(this);
   output->ShallowCopy(input);
   const irradiance::SensorRun run{ sensors, source.engine(), execution, output };

@@ -76,11 +76,9 @@
  * change all do. A point light beside cells with a SpecularReflectance is an error.
  * Documentation/Theory.md, section 5.8.
  *
- * While walks are stale (RepairTimeBudget), both estimates rest on them.
- *
  * @section ProbeTime Time
  * TIME_STEPS and TIME_RANGE unite the times of the source and of the sensors. The requested time
- * goes to both.
+ * goes to both. While walks are stale (RepairTimeBudget), both estimates rest on them.
  *
  * @section ProbeErrors Errors
  * A source that is no such output, that is out of date, or a part of one; with Nearest sensors
@@ -120,10 +118,7 @@ public:
   /// @}
 
   /// @{
-  /**
-   * See Estimates. Default Gathered: on surfaces, too, it is less noisy in the same time, and blurs
-   * less.
-   */
+  /** See Estimates. Default Gathered: in the same time it has less noise, and less blur. */
   vtkSetClampMacro(Estimate, int, Nearest, Gathered);
   vtkGetMacro(Estimate, int);
   void SetEstimateToNearest() { this->SetEstimate(Nearest); }
@@ -146,9 +141,7 @@ public:
   void KeepRaysOff() { this->SetKeepRays(false); }
 
   /// @{
-  /**
-   * With Nearest, from how many photons the irradiance is estimated, 2 to 1,000,000. Default 50.
-   */
+  /** With Nearest, from how many photons irradiance is estimated, 2 to 1,000,000. Default 50. */
   vtkSetClampMacro(NumberOfPhotons, int, 2, 1000000);
   vtkGetMacro(NumberOfPhotons, int);
   /// @}

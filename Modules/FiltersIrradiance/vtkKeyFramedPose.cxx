@@ -41,12 +41,9 @@ void PassOnLeaf(const std::string& name, vtkDataObject* data, const OptionalPose
   vtkPolyData* output)
 {
   auto* input = vtkPolyData::SafeDownCast(data);
-  if (!input)
-  {
-    throw irradiance::InputError(name + " is " +
-      (data ? std::string("a ") + data->GetClassName() : "null") +
+  irradiance::throwIf(!input,
+    name + " is " + (data ? std::string("a ") + data->GetClassName() : "null") +
       "; only vtkPolyData can have a pose (vtkGeometryFilter makes one of most data)");
-  }
   if (!worldFromInput)
   {
     irradiance::copyEmptyArrays(input, output);
@@ -181,12 +178,9 @@ private:
     };
     std::vector<irradiance::KeyFrame> keys =
       hasFile ? irradiance::readKeyFrames(file, report) : this->AddedKeys(report);
-    if (keys.size() < 2)
-    {
-      throw irradiance::InputError(
-        (hasFile ? "the file " + std::string(file) + " has " : "there is ") +
+    irradiance::throwIf(keys.size() < 2,
+      (hasFile ? "the file " + std::string(file) + " has " : "there is ") +
         (keys.empty() ? "no pose" : "one pose alone") + "; two at least are needed");
-    }
     return { std::move(keys),
       static_cast<irradiance::KeyInterpolation>(this->Filter->GetInterpolationType()),
       [&] { report(1); } };
@@ -260,7 +254,6 @@ int vtkKeyFramedPose::GetNumberOfPoses()
 
 int vtkKeyFramedPose::FillInputPortInformation(int, vtkInformation* info)
 {
-  // Other data is refused when it comes, by name.
   irradiance::setInputTypes(info, "vtkDataObjectTree", "vtkDataObject");
   return 1;
 }
@@ -301,10 +294,7 @@ int vtkKeyFramedPose::RequestData(
       throw irradiance::Interrupted();
     }
     this->Internals->Update();
-    if (!this->Internals->Error.empty())
-    {
-      throw irradiance::InputError(this->Internals->Error);
-    }
+    irradiance::throwIf(!this->Internals->Error.empty(), this->Internals->Error);
     auto* timeKey = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
     const double time = info->Has(timeKey) ? info->Get(timeKey) : this->Internals->Keys.begin();
     PassOn(vtkDataObject::GetData(inputs[0]), this->Internals->PoseAt(time), output);

@@ -8,10 +8,9 @@
  * vtkIrradianceFilter reads it. Points, cells and arrays are the input's own, so that filter
  * builds no tree again. To see the motion without it, apply the array (vtkTransformPolyDataFilter).
  *
- * The keys come from AddPose() and AddPoseMatrix(), in any order, or from a file. There are two at
- * least. At the time of a key the output has exactly the pose of the key.
- *
- * If the input has an `ObjectToWorld` of its own, that is applied first: world = pose * input's.
+ * The keys, two at least, come from AddPose() and AddPoseMatrix(), in any order, or from a file. At
+ * the time of a key the output has exactly its pose. If the input has an `ObjectToWorld` of its
+ * own, that is applied first: world = pose * input's.
  *
  * Composite data (vtkMultiBlockDataSet, vtkPartitionedDataSet, vtkPartitionedDataSetCollection)
  * keep their structure and the names of their blocks. All leaves have to be vtkPolyData; empty ones
@@ -19,9 +18,8 @@
  * leaf's own; the tree's own is not passed on.
  *
  * TIME_STEPS of the output: the times of the keys, NumberOfTimeSteps between them, and the steps of
- * the input. TIME_RANGE: from the first to the last of them, and the input's.
- *
- * Progress is reported while poses are read. AbortExecute is honoured; then the output is empty.
+ * the input. TIME_RANGE: from the first to the last of them, and the input's. Progress is reported
+ * while poses are read. AbortExecute is honoured; then the output is empty.
  *
  * @section File
  * Comma-separated values. The first line names the columns, in any order; other columns are passed

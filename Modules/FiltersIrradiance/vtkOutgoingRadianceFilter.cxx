@@ -144,7 +144,6 @@ vtkMTimeType vtkOutgoingRadianceFilter::GetMTime()
 
 int vtkOutgoingRadianceFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  // Other data is refused in words that help.
   irradiance::setInputTypes(info, "vtkMultiBlockDataSet", "vtkDataObject");
   return 1;
 }
@@ -152,7 +151,7 @@ int vtkOutgoingRadianceFilter::FillInputPortInformation(int, vtkInformation* inf
 void vtkOutgoingRadianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)
 {
   const irradiance::Eye eye = EyeOf(this);
-  const irradiance::PhotonSource source(input, "the input", irradiance::PhotonSource::Need::Sums);
+  const irradiance::PhotonSource source(input, "the input", false);
   irradiance::SmpExecution execution = irradiance::executionOf(this);
   const irradiance::OutgoingRadiance& radiance =
     this->Internals->RadianceOf(source, this->NumberOfSpecularSamples, execution);

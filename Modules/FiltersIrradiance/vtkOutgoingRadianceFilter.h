@@ -25,9 +25,7 @@
  *   mirrors. Lobes ask the lights as well as their rays; so narrow ones, and small lamps, have
  *   little noise. What is smaller than a cell is averaged away.
  *
- * A mirror cannot see a point light; nor does a lobe see what a point light sends it by way of a
- * mirror.
- *
+ * A mirror cannot see a point light, nor a lobe what a point light sends it by way of a mirror.
  * What stands between eye and cell is not looked at: a renderer knows what is hidden. An eye may be
  * anywhere, also inside a body, of whose cells it sees the back; at a cell's own place it sees no
  * direction to the light from there. Cells without area, vertices and lines have 0. While walks are
@@ -57,19 +55,15 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// @{
-  /**
-   * Where the eye is, in world coordinates; finite. Without effect while there is a camera. Default
-   * (0, 0, 0).
-   */
+  /** Where the eye is in the world, m, unless there is a camera; finite. Default (0, 0, 0). */
   vtkSetVector3Macro(EyePosition, double);
   vtkGetVector3Macro(EyePosition, double);
   /// @}
 
   /// @{
   /**
-   * The camera at whose position the eye is; with ParallelProjection the eye is infinitely far
-   * away, against its direction of projection. It is kept by reference: when it moves, the filter
-   * executes. Null for EyePosition. Default null.
+   * At whose position the eye is; with ParallelProjection it is infinitely far away, against the
+   * direction of projection. When the camera moves, the filter executes. Default null.
    */
   void SetCamera(vtkCamera* camera);
   vtkCamera* GetCamera();

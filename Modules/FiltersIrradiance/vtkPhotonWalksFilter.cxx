@@ -16,7 +16,6 @@ vtkStandardNewMacro(vtkPhotonWalksFilter);
 
 int vtkPhotonWalksFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  // Other data is refused in words that help.
   irradiance::setInputTypes(info, "vtkMultiBlockDataSet", "vtkDataObject");
   return 1;
 }
@@ -36,7 +35,7 @@ int vtkPhotonWalksFilter::RequestData(
   return irradiance::runFilter(this, output, [&] {
     if (!irradiance::isEmptyPieceRequested(outputs->GetInformationObject(0))) // each walk once
     {
-      const irradiance::PhotonSource source(input, "the input");
+      const irradiance::PhotonSource source(input, "the input", true);
       irradiance::SmpExecution execution = irradiance::executionOf(this);
       irradiance::writeWalks(
         { this->NumberOfWalks, this->CellPort, this->CellConnection, this->Cell }, source, input,

@@ -34,10 +34,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// @{
-  /**
-   * How many walks are shown at most, 0 to 4,294,967,295; those with the lowest numbers.
-   * Default 1000.
-   */
+  /** Walks shown at most, those with the lowest numbers; 0 to 4,294,967,295. Default 1000. */
   vtkSetMacro(NumberOfWalks, vtkIdType);
   vtkGetMacro(NumberOfWalks, vtkIdType);
   /// @}

@@ -151,14 +151,13 @@ vtkPointIrradianceFilter::~vtkPointIrradianceFilter() = default;
 
 int vtkPointIrradianceFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  // Other data is refused in words that help.
   irradiance::setInputTypes(info, "vtkMultiBlockDataSet", "vtkDataObject");
   return 1;
 }
 
 void vtkPointIrradianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)
 {
-  const irradiance::PhotonSource source(input, "the input", irradiance::PhotonSource::Need::Sums);
+  const irradiance::PhotonSource source(input, "the input", false);
   const irradiance::IrradianceEngine& engine = *source.engine();
   irradiance::SmpExecution execution = irradiance::executionOf(this);
   const irradiance::CancelPoint reading = irradiance::cancelPointOf(execution, 0);

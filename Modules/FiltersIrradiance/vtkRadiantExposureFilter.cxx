@@ -10,7 +10,6 @@
 #include "Progress/InputError.h"
 #include "Surfaces/SceneHash.h"
 #include "Time/ExposureIntegral.h"
-#include "Time/SpreadableLeaf.h"
 #include "Time/TimeKeys.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -82,17 +81,14 @@ Settings CheckedSettings(vtkRadiantExposureFilter* filter, vtkInformation* input
   {
     return settings;
   }
-  if (!(settings.RelativeTolerance > 0 && std::isfinite(settings.RelativeTolerance)))
-  {
-    throw irradiance::InputError("RelativeTolerance is " +
-      irradiance::text(settings.RelativeTolerance) + "; it has to be positive");
-  }
-  if (settings.MaximumNumberOfTimeSteps < settings.NumberOfTimeSteps)
-  {
-    throw irradiance::InputError("MaximumNumberOfTimeSteps is " +
-      std::to_string(settings.MaximumNumberOfTimeSteps) + ", but NumberOfTimeSteps, " +
-      std::to_string(settings.NumberOfTimeSteps) + ", is the least for error control");
-  }
+  irradiance::throwIf(
+    !(settings.RelativeTolerance > 0 && std::isfinite(settings.RelativeTolerance)),
+    "RelativeTolerance is " + irradiance::text(settings.RelativeTolerance) +
+      "; it has to be positive");
+  irradiance::throwIf(settings.MaximumNumberOfTimeSteps < settings.NumberOfTimeSteps,
+    "MaximumNumberOfTimeSteps is " + std::to_string(settings.MaximumNumberOfTimeSteps) +
+      ", but NumberOfTimeSteps, " + std::to_string(settings.NumberOfTimeSteps) +
+      ", is the least for error control");
   return settings;
 }
 
@@ -284,11 +280,8 @@ private:
       return;
     }
     this->Input()->Set(Pipeline::UPDATE_TIME_STEP(), *time);
-    if (!this->Producer->Update(this->Filter->GetInputConnection(0, 0)->GetIndex()))
-    {
-      throw irradiance::InputError("the input could not be computed at time " +
-        irradiance::text(*time) + ", see its own error");
-    }
+    irradiance::throwIf(!this->Producer->Update(this->Filter->GetInputConnection(0, 0)->GetIndex()),
+      "the input could not be computed at time " + irradiance::text(*time) + ", see its own error");
   }
 
   void Take(irradiance::ControllerRanks& ranks)
@@ -325,7 +318,7 @@ private:
       {
         if (this->Of.NumberOfSpreadPhotons > 0)
         {
-          irradiance::expectReplicates(next);
+          irradiance::ExposureSums::expectReplicates(next);
         }
         this->Integral->take(next);
       }
@@ -337,10 +330,9 @@ private:
 
   void Write(vtkDataObject* output) const
   {
-    if (!this->Integral->sums().haveCells() && !irradiance::isEmptyPieceRequested(this->Input()))
-    {
-      throw irradiance::InputError("the input has no cells at any of the times that were visited");
-    }
+    irradiance::throwIf(
+      !this->Integral->sums().haveCells() && !irradiance::isEmptyPieceRequested(this->Input()),
+      "the input has no cells at any of the times that were visited");
     this->Integral->sums().write(this->Integral->last(), output);
     AddTimes(*this->Integral, output->GetFieldData());
     if (!this->Integral->shortfall().empty())
@@ -429,10 +421,7 @@ int vtkRadiantExposureFilter::RequestData(
   irradiance::ControllerRanks ranks = this->Internals->GetRanks();
   bool isAborted = true;
   const auto compute = [&] {
-    if (!this->Internals->Error.empty())
-    {
-      throw irradiance::InputError(this->Internals->Error);
-    }
+    irradiance::throwIf(!this->Internals->Error.empty(), this->Internals->Error);
     this->Internals->Run(ranks, output);
     isAborted = false;
   };

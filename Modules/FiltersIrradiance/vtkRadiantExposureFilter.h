@@ -4,12 +4,9 @@
  * @brief   radiant exposure (dose) of every cell: irradiance, integrated over time
  *
  * Visits its input, the output of a vtkIrradianceFilter or of what follows it, at a number of times
- * and sums up, by the trapezoidal rule,
- *
- *   H = sum of w_i E(t_i),  w_i = (t_i+1 - t_i-1) / 2;
- *
- * at the ends, the end itself takes the place of the missing neighbour. One execution visits all
- * times: each is an update of what is upstream. By default the times follow from the irradiance.
+ * and sums up by the trapezoidal rule: H = sum of w_i E(t_i), w_i = (t_i+1 - t_i-1) / 2; at the
+ * ends, the end itself takes the place of the missing neighbour. One execution visits all times:
+ * each is an update of what is upstream. By default the times follow from the irradiance.
  * Data that exist only at some times, such as files, are integrated over those, the TIME_STEPS.
  * Documentation/Guide.md, "The dose": an example, and where the standard error comes from.
  *
@@ -77,8 +74,7 @@ public:
     TimeSteps = 0,       ///< StartTime, the input's TIME_STEPS after it, EndTime
     Uniform = 1,         ///< NumberOfTimeSteps equal intervals from StartTime to EndTime
     ErrorControlled = 2, ///< intervals are halved until RelativeTolerance is met
-    Automatic =
-      3 ///< ErrorControlled; TimeSteps if the input exists only at its TIME_STEPS, as files do
+    Automatic = 3 ///< ErrorControlled; TimeSteps if the input exists only at those, as files do
   };
 
   /// @{
@@ -104,8 +100,8 @@ public:
 
   /// @{
   /**
-   * Number of intervals with Uniform, 1 to 1,000,000; with error control, the span over this is the
-   * length of the longest that it begins with. Default 20.
+   * Number of intervals with Uniform, 1 to 1,000,000; with error control, the first ones are no
+   * longer than the span over this. Default 20.
    */
   vtkSetMacro(NumberOfTimeSteps, int);
   vtkGetMacro(NumberOfTimeSteps, int);
@@ -136,12 +132,11 @@ public:
   /**
    * On how many photons the dose of a small cell draws, on the average of its block, 1 to
    * 1,000,000; 0: each cell stands for itself. The dose is spread over neighbouring cells of a
-   * vtkPolyData, once, at the end: the noise is about 1 / the root of this, the blur grows with its
-   * root, and energy is conserved in each block, up to rounding. Other blocks stay as they are. A
-   * photon that brings light at many times counts once. Standard errors are those of the spread
-   * dose, without the blur. It needs replicates (ComputeStandardError of vtkIrradianceFilter). The
-   * direct light that cells gathered is spread as well. A deforming part is spread as it is at the
-   * last time with cells. Default 0.
+   * vtkPolyData, once, at the end, as the part is at its last time with cells; other blocks stay as
+   * they are. The noise is about 1 / the root of this, the blur grows with its root, and energy is
+   * conserved in each block, up to rounding. A photon that brings light at many times counts once.
+   * Gathered direct light is spread as well. Standard errors are the spread dose's, without the
+   * blur. It needs replicates (ComputeStandardError of vtkIrradianceFilter). Default 0.
    */
   vtkSetMacro(NumberOfSpreadPhotons, int);
   vtkGetMacro(NumberOfSpreadPhotons, int);
@@ -149,14 +144,13 @@ public:
 
   /// @{
   /**
-   * The processes that share the times, for example a vtkMPIController; null: this one alone. Each
-   * has the whole pipeline and computes every n-th time; a vtkIrradianceFilter upstream computes
-   * alone then, whatever its Controller. Each has the whole output, with the bits of one process
-   * alone; of several pieces, the first has all. All have to update this filter at the same time,
-   * with the same input and settings; else, or if one fails or is aborted, each has one error.
-   * While intervals are halved, one or two times are known in advance, and other processes wait. As
-   * a rule, give the Controller to vtkIrradianceFilter: see "Several processes" in the Guide.
-   * Default null.
+   * The processes that share the times; null: this one alone. Each has the whole pipeline and
+   * computes every n-th time; a vtkIrradianceFilter upstream computes alone then, whatever its
+   * Controller. Each has the whole output, with the bits of one process alone; of several pieces,
+   * the first has all. All have to update at the same time, with the same input and settings; else,
+   * or if one fails or is aborted, each has one error. While intervals are halved, one or two times
+   * are known in advance, and other processes wait. As a rule, give the Controller to
+   * vtkIrradianceFilter: see "Several processes" in the Guide. Default null.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();

@@ -20,23 +20,28 @@ namespace irradiance
 namespace
 {
 
-/// Name of the array to read; null if an attribute was chosen, such as the active scalars.
-const char* chosenName(vtkAlgorithm* filter, const MaterialArrayRole& role)
+vtkInformation* informationOf(vtkAlgorithm* filter, std::size_t quantity)
 {
-  return filter->GetInputArrayInformation(role.index)->Get(vtkDataObject::FIELD_NAME());
+  return filter->GetInputArrayInformation(static_cast<int>(quantity));
+}
+
+/// Name of the array to read; null if an attribute was chosen, such as the active scalars.
+const char* chosenName(vtkAlgorithm* filter, std::size_t quantity)
+{
+  return informationOf(filter, quantity)->Get(vtkDataObject::FIELD_NAME());
 }
 
 /// An empty name: the quantity is not read from any array.
-bool isNone(vtkAlgorithm* filter, const MaterialArrayRole& role)
+bool isNone(vtkAlgorithm* filter, std::size_t quantity)
 {
-  const char* name = chosenName(filter, role);
+  const char* name = chosenName(filter, quantity);
   return name && *name == 0;
 }
 
-bool isDefault(vtkAlgorithm* filter, const MaterialArrayRole& role)
+bool isDefault(vtkAlgorithm* filter, std::size_t quantity)
 {
-  const char* name = chosenName(filter, role);
-  return name && std::string(name) == role.defaultName;
+  const char* name = chosenName(filter, quantity);
+  return name && std::string(name) == kArrayNames[quantity];
 }
 
 std::string quoted(const std::string& name)
@@ -45,14 +50,14 @@ std::string quoted(const std::string& name)
 }
 
 vtkAbstractArray* findArray(
-  vtkAlgorithm* filter, const MaterialArrayRole& role, vtkDataSetAttributes* attributes)
+  vtkAlgorithm* filter, std::size_t quantity, vtkDataSetAttributes* attributes)
 {
-  vtkInformation* choice = filter->GetInputArrayInformation(role.index);
-  if (isNone(filter, role))
+  vtkInformation* choice = informationOf(filter, quantity);
+  if (isNone(filter, quantity))
   {
     return nullptr;
   }
-  if (const char* name = chosenName(filter, role))
+  if (const char* name = chosenName(filter, quantity))
   {
     return attributes->GetAbstractArray(name);
   }
@@ -61,14 +66,14 @@ vtkAbstractArray* findArray(
     : nullptr;
 }
 
-vtkAbstractArray* readArray(vtkAlgorithm* filter, const MaterialArrayRole& role, InputPart& part)
+vtkAbstractArray* readArray(vtkAlgorithm* filter, std::size_t quantity, InputPart& part)
 {
-  vtkAbstractArray* array = findArray(filter, role, part.polyData->GetCellData());
-  vtkAbstractArray* ofPoints = findArray(filter, role, part.polyData->GetPointData());
+  vtkAbstractArray* array = findArray(filter, quantity, part.polyData->GetCellData());
+  vtkAbstractArray* ofPoints = findArray(filter, quantity, part.polyData->GetPointData());
   if (!array && ofPoints && ofPoints->GetName())
   {
     part.warnings.push_back({ part.name,
-      std::string(": the array ") + ofPoints->GetName() + " (" + role.meaning +
+      std::string(": the array ") + ofPoints->GetName() + " (" + kArrayMeanings[quantity] +
         ") stands on the points and is not read; it has to stand on the cells" });
   }
   return array;
@@ -143,15 +148,15 @@ void noteNearNames(vtkAlgorithm* filter, InputPart& part)
   for (const std::string& name : unreadArrays(part))
   {
     const std::string plain = plainName(name);
-    for (std::size_t i = 0; i < kArrayRoles.size(); ++i)
+    for (std::size_t i = 0; i < kMaterialArrays; ++i)
     {
       const auto& known = synonyms(i);
-      if (!part.arrays[i] && isDefault(filter, kArrayRoles[i]) && hasCellsFor(i, part.polyData) &&
+      if (!part.arrays[i] && isDefault(filter, i) && hasCellsFor(i, part.polyData) &&
         std::find(known.begin(), known.end(), plain) != known.end())
       {
-        const std::string quantity = quoted(kArrayRoles[i].defaultName);
+        const std::string quantity = quoted(kArrayNames[i]);
         part.warnings.push_back({ part.name,
-          ": the cell array " + quoted(name) + " is not read, as the " + kArrayRoles[i].meaning +
+          ": the cell array " + quoted(name) + " is not read, as the " + kArrayMeanings[i] +
             " is read from " + quantity + "; rename it, or call SetCellArray(" + quantity + ", " +
             quoted(name) + ")" });
       }
@@ -161,46 +166,43 @@ void noteNearNames(vtkAlgorithm* filter, InputPart& part)
 
 std::string lightName(vtkAlgorithm* filter, MaterialArray quantity)
 {
-  const MaterialArrayRole& role = kArrayRoles[quantity];
-  const char* name = chosenName(filter, role);
-  return isNone(filter, role) ? std::string("(none was chosen)")
-                              : quoted(name ? name : role.defaultName);
+  const char* name = chosenName(filter, quantity);
+  return isNone(filter, quantity) ? std::string("(none was chosen)")
+                                  : quoted(name ? name : kArrayNames[quantity]);
 }
 
 }
 
 void findArrays(vtkAlgorithm* filter, InputPart& part)
 {
-  std::transform(kArrayRoles.begin(), kArrayRoles.end(), part.arrays.begin(),
-    [&](const MaterialArrayRole& role) { return readArray(filter, role, part); });
+  for (std::size_t i = 0; i < part.arrays.size(); ++i)
+  {
+    part.arrays[i] = readArray(filter, i, part);
+  }
   noteNearNames(filter, part);
 }
 
 void checkChosenArrays(vtkAlgorithm* filter, const SceneInputs& inputs)
 {
-  for (const MaterialArrayRole& role : kArrayRoles)
+  for (std::size_t quantity = 0; quantity < kMaterialArrays; ++quantity)
   {
-    const char* name = chosenName(filter, role);
+    const char* name = chosenName(filter, quantity);
     const std::string choice = std::string("the array ") + (name ? name : "(an attribute)") +
-      ", chosen for the " + role.meaning + ",";
+      ", chosen for the " + kArrayMeanings[quantity] + ",";
     const int association =
-      filter->GetInputArrayInformation(role.index)->Get(vtkDataObject::FIELD_ASSOCIATION());
-    if (association == vtkDataObject::FIELD_ASSOCIATION_POINTS ||
-      association == vtkDataObject::FIELD_ASSOCIATION_NONE)
-    {
-      throw InputError(choice + " is to be read from the " +
+      informationOf(filter, quantity)->Get(vtkDataObject::FIELD_ASSOCIATION());
+    throwIf(association == vtkDataObject::FIELD_ASSOCIATION_POINTS ||
+        association == vtkDataObject::FIELD_ASSOCIATION_NONE,
+      choice + " is to be read from the " +
         (association == vtkDataObject::FIELD_ASSOCIATION_POINTS ? "points" : "field data") +
         "; only cell arrays can be read");
-    }
     const auto parts = allPartsOf(inputs);
     const auto hasArray = [&](const InputPart* part) {
-      return findArray(filter, role, part->polyData->GetCellData()) != nullptr;
+      return findArray(filter, quantity, part->polyData->GetCellData()) != nullptr;
     };
-    if (!parts.empty() && std::none_of(parts.begin(), parts.end(), hasArray) &&
-      !isDefault(filter, role) && !isNone(filter, role))
-    {
-      throw InputError(choice + " is not among the cell arrays of any input");
-    }
+    throwIf(!parts.empty() && std::none_of(parts.begin(), parts.end(), hasArray) &&
+        !isDefault(filter, quantity) && !isNone(filter, quantity),
+      choice + " is not among the cell arrays of any input");
   }
 }
 
@@ -224,7 +226,7 @@ std::string noLightWarning(vtkAlgorithm* filter, const SceneInputs& inputs)
     (unread.empty() ? ". No cell array is there that is not read"
                     : ". Cell arrays that are not read: " + unread +
           (parts > mostParts ? "; and in more inputs" : "") + ". SetCellArray(" +
-          quoted(kArrayRoles[Exitance].defaultName) + ", name) chooses one");
+          quoted(kArrayNames[Exitance]) + ", name) chooses one");
 }
 
 }

@@ -14,7 +14,7 @@ namespace irradiance
 struct InputPart;
 struct SceneInputs;
 
-/// The cell arrays that the filter reads. Their names and numbers are defined here alone.
+/// The cell arrays that the filter reads, by their numbers for SetInputArrayToProcess.
 enum MaterialArray : std::size_t
 {
   Exitance,
@@ -25,20 +25,11 @@ enum MaterialArray : std::size_t
   kMaterialArrays
 };
 
-struct MaterialArrayRole
-{
-  int index;               ///< for SetInputArrayToProcess
-  const char* defaultName; ///< where none is chosen
-  const char* meaning;
-};
-
-constexpr std::array<MaterialArrayRole, kMaterialArrays> kArrayRoles{ {
-  { 0, "RadiantExitance", "radiant exitance" },
-  { 1, "DiffuseReflectance", "diffuse reflectance" },
-  { 2, "SpecularReflectance", "specular reflectance" },
-  { 3, "PhongExponent", "Phong exponent" },
-  { 4, "RadiantFlux", "radiant flux" },
-} };
+/// Their names where none is chosen, and what they mean.
+constexpr std::array<const char*, kMaterialArrays> kArrayNames{ "RadiantExitance",
+  "DiffuseReflectance", "SpecularReflectance", "PhongExponent", "RadiantFlux" };
+constexpr std::array<const char*, kMaterialArrays> kArrayMeanings{ "radiant exitance",
+  "diffuse reflectance", "specular reflectance", "Phong exponent", "radiant flux" };
 
 /// The arrays of one input, by MaterialArray; null where it has none.
 template <class Array>

@@ -15,6 +15,7 @@ namespace irradiance
 namespace
 {
 
+constexpr double kMuchCovered = 0.25;
 constexpr std::size_t kTargets = 512, kRaysOfAll = 65536, kFewestRays = 32;
 
 /// By object and triangle.

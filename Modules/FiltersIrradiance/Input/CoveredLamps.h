@@ -19,7 +19,7 @@ struct CoveredLamps
 };
 
 /**
- * The parts with lamps of which lamps cover more than kMuchCovered, roughly. Of the light that is
+ * The parts with lamps of which lamps cover a quarter or more, roughly. Of the light that is
  * bound for surfaces that are no lamps counts what lamps stop with their backs: rays go from points
  * of the lamps to points of these surfaces, each with the power that it would bring to a patch
  * there. So a sun counts whose light hardly meets the scene. What falls on the front of a lamp does
@@ -27,8 +27,6 @@ struct CoveredLamps
  */
 std::vector<CoveredLamps> findCoveredLamps(
   const IrradianceEngine& engine, const CancelPoint& cancelPoint);
-
-constexpr double kMuchCovered = 0.25;
 
 }
 

@@ -43,12 +43,10 @@ InputConnection connectionOf(vtkAlgorithm* filter, int port, int index, vtkDataO
   connection.data = data;
   const auto addPart = [&](const std::string& name, vtkDataObject* leaf) {
     vtkPolyData* polyData = vtkPolyData::SafeDownCast(leaf);
-    if (!polyData)
-    {
-      throw InputError(name + " is " + (leaf ? std::string("a ") + leaf->GetClassName() : "null") +
+    throwIf(!polyData,
+      name + " is " + (leaf ? std::string("a ") + leaf->GetClassName() : "null") +
         "; only vtkPolyData can be computed (vtkGeometryFilter makes one of most data, in ParaView "
         "the filter Extract Surface)");
-    }
     InputPart part;
     part.name = name;
     part.polyData = part.piece = polyData;

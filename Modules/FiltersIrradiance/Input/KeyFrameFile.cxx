@@ -44,12 +44,6 @@ Cells cellsOf(const std::string& line)
   return cells;
 }
 
-bool isSkipped(const std::string& line)
-{
-  const std::string content = trimmed(line);
-  return content.empty() || content.front() == '#';
-}
-
 /// The lines of a table, one after the other.
 class Table
 {
@@ -58,47 +52,35 @@ public:
     : fileName_(fileName)
     , stream_(fileName)
   {
-    if (!stream_)
-    {
-      throw InputError("the file " + fileName + " cannot be read");
-    }
+    throwIf(!stream_, "the file " + fileName + " cannot be read");
     std::error_code unknown; // such as the length of a pipe
     length_ = std::filesystem::file_size(fileName, unknown);
     length_ = unknown ? 0 : length_;
-    if (!next())
-    {
-      throw InputError(
-        "the file " + fileName + " is empty; its first line has to name the columns");
-    }
+    throwIf(!next(), "the file " + fileName + " is empty; its first line has to name the columns");
     for (std::size_t i = 0; i < cells_.size(); ++i)
     {
       std::string& name = cells_[i];
       constexpr const char* kMark = "\xef\xbb\xbf"; // with which some programs begin text
       name = name.rfind(kMark, 0) == 0 ? trimmed(name.substr(3)) : name;
-      if (!columns_.emplace(name, i).second)
-      {
-        throw InputError(where() + ": two columns are named " + name);
-      }
+      throwIf(!columns_.emplace(name, i).second, where() + ": two columns are named " + name);
     }
     header_ = where();
   }
 
   bool next()
   {
-    std::string line;
+    std::string line, content;
     do
     {
       if (!std::getline(stream_, line))
       {
-        if (stream_.bad())
-        {
-          throw InputError("the file " + fileName_ + " cannot be read");
-        }
+        throwIf(stream_.bad(), "the file " + fileName_ + " cannot be read");
         return false;
       }
       ++line_;
       read_ += line.size() + 1;
-    } while (isSkipped(line));
+      content = trimmed(line);
+    } while (content.empty() || content.front() == '#');
     cells_ = cellsOf(line);
     return true;
   }
@@ -121,10 +103,7 @@ public:
   {
     for (const std::string& column : columns)
     {
-      if (!has(column))
-      {
-        throw InputError(header_ + ": there is no column " + column);
-      }
+      throwIf(!has(column), header_ + ": there is no column " + column);
     }
   }
 
@@ -222,21 +201,16 @@ ReadPose readerFor(const Table& table)
   const bool hasDegrees = table.hasAny(degrees), hasQuaternion = table.hasAny(quaternion);
   if (table.hasAny(matrix))
   {
-    if (table.hasAny(place) || hasDegrees || hasQuaternion)
-    {
-      throw InputError(table.where() +
-        ": there are columns of a matrix and others of a position or "
-        "a rotation; which are meant?");
-    }
+    throwIf(table.hasAny(place) || hasDegrees || hasQuaternion,
+      table.where() +
+        ": there are columns of a matrix and others of a position or a rotation; "
+        "which are meant?");
     table.require(matrix);
     return readMatrix;
   }
   table.require(place);
-  if (hasDegrees && hasQuaternion)
-  {
-    throw InputError(
-      table.where() + ": there are columns of angles and of a quaternion; which are meant?");
-  }
+  throwIf(hasDegrees && hasQuaternion,
+    table.where() + ": there are columns of angles and of a quaternion; which are meant?");
   table.require(hasDegrees ? degrees : hasQuaternion ? quaternion : place);
   return hasDegrees ? readDegrees : hasQuaternion ? readQuaternion : readPosition;
 }

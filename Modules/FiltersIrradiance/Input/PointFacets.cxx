@@ -30,13 +30,6 @@ struct Corners
   bool isFrontDark, isBackDark;
 };
 
-/// Point normals that count; null if there are none.
-vtkDataArray* normalsOf(vtkPolyData* surface)
-{
-  vtkDataArray* normals = surface->GetPointData()->GetNormals();
-  return normals && normals->GetNumberOfComponents() == 3 ? normals : nullptr;
-}
-
 /// Calls visit(cell, number of points, their ids) for all polygons, and for the triangles of
 /// strips.
 template <class Visit>
@@ -191,7 +184,8 @@ PointFacet facetOf(
 std::vector<PointFacet> pointFacetsOf(vtkPolyData* surface, bool isMirrored, double featureAngle,
   double rounding, const PartCells& cells, const CellShapes& shapes, const CancelPoint& cancelPoint)
 {
-  vtkDataArray* const normals = normalsOf(surface);
+  vtkDataArray* normals = surface->GetPointData()->GetNormals();
+  normals = normals && normals->GetNumberOfComponents() == 3 ? normals : nullptr;
   constexpr double kAll = -2;
   const double leastCosine = normals ? kAll : std::cos(featureAngle);
   std::vector<Corners> facets;

@@ -12,6 +12,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 
 namespace irradiance
@@ -19,14 +20,6 @@ namespace irradiance
 
 namespace
 {
-
-/// Cells that deserve a warning: how many, and the first.
-struct OddCells
-{
-  vtkIdType count = 0, first = -1;
-
-  void add(vtkIdType cell) { first = count++ == 0 ? cell : first; }
-};
 
 class PolyDataConverter
 {
@@ -55,10 +48,7 @@ public:
     for (vtkCellArray* cells :
       { input_->GetVerts(), input_->GetLines(), input_->GetPolys(), input_->GetStrips() })
     {
-      if (!cells->IsValid())
-      {
-        throw InputError(where_ + ": the offsets of a cell array are not valid");
-      }
+      throwIf(!cells->IsValid(), where_ + ": the offsets of a cell array are not valid");
     }
     makeRoom();
     readPointLights();
@@ -66,7 +56,7 @@ public:
     readSurfaces(input_->GetPolys(), [this] {
       if (!triangulate(corners_, target_.triangles))
       {
-        crossed_.add(cell_);
+        note(crossed_);
       }
     });
     readSurfaces(input_->GetStrips(), [this] {
@@ -100,7 +90,7 @@ private:
     const bool mayHaveThree = number != Exponent;
     std::ostringstream message, shape;
     message << where_ << ": the array " << (array->GetName() ? array->GetName() : "(unnamed)")
-            << " (" << kArrayRoles[number].meaning << ") has ";
+            << " (" << kArrayMeanings[number] << ") has ";
     shape << "; in NumPy its shape is (" << cells << ",)";
     if (mayHaveThree)
     {
@@ -155,10 +145,7 @@ private:
   void readPointLights()
   {
     forEachOwnCell(input_->GetVerts(), [this](vtkIdType count, const vtkIdType* ids) {
-      if (largest(arrays_[Exitance]) > 0)
-      {
-        exitanceElsewhere_.add(cell_);
-      }
+      noteLight(arrays_[Exitance], exitanceElsewhere_);
       if (!arrays_[Flux] || count == 0)
       {
         return;
@@ -184,14 +171,8 @@ private:
   void readLines()
   {
     forEachOwnCell(input_->GetLines(), [this](vtkIdType, const vtkIdType*) {
-      if (largest(arrays_[Flux]) > 0)
-      {
-        fluxElsewhere_.add(cell_);
-      }
-      if (largest(arrays_[Exitance]) > 0)
-      {
-        exitanceElsewhere_.add(cell_);
-      }
+      noteLight(arrays_[Flux], fluxElsewhere_);
+      noteLight(arrays_[Exitance], exitanceElsewhere_);
     });
   }
 
@@ -224,12 +205,9 @@ private:
     }
     if (!(area > 0))
     {
-      withoutArea_.add(cell_);
+      note(withoutArea_);
     }
-    if (largest(arrays_[Flux]) > 0)
-    {
-      fluxElsewhere_.add(cell_);
-    }
+    noteLight(arrays_[Flux], fluxElsewhere_);
     readReflectance();
     for (int band = 0; arrays_[Exitance] && band < bands_; ++band)
     {
@@ -297,14 +275,14 @@ private:
   void checkMisplaced() const
   {
     const bool hasSurface = input_->GetNumberOfPolys() + input_->GetNumberOfStrips() > 0;
-    if (fluxElsewhere_.count > 0 && input_->GetNumberOfVerts() == 0)
+    if (fluxElsewhere_.cells > 0 && input_->GetNumberOfVerts() == 0)
     {
-      failAt(fluxElsewhere_.first,
+      failAt(fluxElsewhere_.firstCell,
         "has a radiant flux but is no vertex; surfaces emit by their radiant exitance, W/m2");
     }
-    if (exitanceElsewhere_.count > 0 && !hasSurface)
+    if (exitanceElsewhere_.cells > 0 && !hasSurface)
     {
-      failAt(exitanceElsewhere_.first,
+      failAt(exitanceElsewhere_.firstCell,
         "has a radiant exitance but no surface; vertices emit by their radiant flux, W");
     }
   }
@@ -312,22 +290,29 @@ private:
   std::vector<InputWarning> warnings() const
   {
     std::vector<InputWarning> warnings;
-    const auto add = [&](const OddCells& cells, const char* what, const char* consequence) {
-      if (cells.count > 0)
-      {
-        warnings.push_back({ where_, what, consequence, cells.count, cells.first });
-      }
-    };
-    add(withoutArea_, "have no area", "their irradiance is 0");
-    add(crossed_, "are polygons that cross themselves", "what lies inside is not clear");
-    add(fluxElsewhere_, "have a radiant flux but are no vertices", "it is not read there");
-    add(exitanceElsewhere_, "have a radiant exitance but no surface", "it is not read there");
+    const std::vector<InputWarning> odd{ withoutArea_, crossed_, fluxElsewhere_,
+      exitanceElsewhere_ };
+    std::copy_if(odd.begin(), odd.end(), std::back_inserter(warnings),
+      [](const InputWarning& warning) { return warning.cells > 0; });
     if (arrays_[Exponent] && !arrays_[Specular])
     {
       warnings.push_back(
         { where_, ": has Phong exponents but no specular reflectance; they are not read" });
     }
     return warnings;
+  }
+
+  /// Counts the cell being read.
+  void note(InputWarning& odd) const { odd.firstCell = odd.cells++ == 0 ? cell_ : odd.firstCell; }
+  /// Counts it if an array has a value above 0 there.
+  void noteLight(vtkDataArray* array, InputWarning& odd) const
+  {
+    bool isLight = false;
+    for (int band = 0; array && band < bands_; ++band)
+    {
+      isLight = isLight || value(array, band) > 0;
+    }
+    isLight ? note(odd) : void();
   }
 
   std::size_t cellOfTarget() const { return firstCell_ + static_cast<std::size_t>(cell_); }
@@ -345,17 +330,6 @@ private:
   double value(vtkDataArray* array, int band) const
   {
     return array->GetComponent(cell_, array->GetNumberOfComponents() == 1 ? 0 : band);
-  }
-
-  /// The largest value of an array in the cell, 0 if there is none.
-  double largest(vtkDataArray* array) const
-  {
-    double largest = 0;
-    for (int band = 0; array && band < bands_; ++band)
-    {
-      largest = std::max(largest, value(array, band));
-    }
-    return largest;
   }
 
   double checked(const char* name, double value, double most, const char* unit = "") const
@@ -384,10 +358,14 @@ private:
   std::size_t firstCell_; ///< in the target
   vtkIdType cell_ = 0;    ///< the cell being read, by VTK's number
   std::vector<Vector3> corners_;
-  OddCells withoutArea_;       ///< polygons and strips
-  OddCells crossed_;           ///< polygons that cross themselves
-  OddCells fluxElsewhere_;     ///< cells with a flux that are not vertices
-  OddCells exitanceElsewhere_; ///< vertices and lines with an exitance
+  /// Each counts the cells that it is about.
+  InputWarning withoutArea_{ where_, "have no area", "their irradiance is 0" };
+  InputWarning crossed_{ where_, "are polygons that cross themselves",
+    "what lies inside is not clear" };
+  InputWarning fluxElsewhere_{ where_, "have a radiant flux but are no vertices",
+    "it is not read there" };
+  InputWarning exitanceElsewhere_{ where_, "have a radiant exitance but no surface",
+    "it is not read there" };
 };
 
 }

@@ -26,17 +26,13 @@ using Matrix4 = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
 Matrix4 matrixOf(const std::string& where, vtkAbstractArray* anyArray)
 {
   vtkDataArray* array = vtkDataArray::SafeDownCast(anyArray);
-  if (!array)
-  {
-    throw InputError(where + ": the field array " + anyArray->GetName() + " is a " +
-      anyArray->GetClassName() + ", not numbers");
-  }
+  throwIf(!array,
+    where + ": the field array " + anyArray->GetName() + " is a " + anyArray->GetClassName() +
+      ", not numbers");
   const vtkIdType values = array->GetNumberOfValues();
-  if (values != 16)
-  {
-    throw InputError(where + ": the field array " + anyArray->GetName() + " has " +
-      std::to_string(values) + " values, not 16");
-  }
+  throwIf(values != 16,
+    where + ": the field array " + anyArray->GetName() + " has " + std::to_string(values) +
+      " values, not 16");
   Matrix4 matrix;
   const int components = array->GetNumberOfComponents();
   for (int i = 0; i < 16; ++i)
@@ -46,9 +42,6 @@ Matrix4 matrixOf(const std::string& where, vtkAbstractArray* anyArray)
   return matrix;
 }
 
-/// Areas scale with its square, and squared normals with its fourth power: all must stay above 0.
-constexpr double kSmallestScale = 1e-30;
-
 [[noreturn]] void fail(const std::string& where, const Matrix4& matrix, const std::string& what)
 {
   std::ostringstream message;
@@ -56,8 +49,10 @@ constexpr double kSmallestScale = 1e-30;
   throw InputError(message.str());
 }
 
-void checkInvertible(const std::string& where, const Matrix4& matrix)
+AffineMap mapOf(const std::string& where, const Matrix4& matrix)
 {
+  // Areas scale with its square, and squared normals with its fourth power: all must stay above 0.
+  constexpr double kSmallestScale = 1e-30;
   if (!matrix.allFinite())
   {
     fail(where, matrix, "is not finite");
@@ -75,11 +70,6 @@ void checkInvertible(const std::string& where, const Matrix4& matrix)
   {
     fail(where, matrix, "shrinks to less than " + text(kSmallestScale));
   }
-}
-
-AffineMap mapOf(const std::string& where, const Matrix4& matrix)
-{
-  checkInvertible(where, matrix);
   return { matrix.topLeftCorner<3, 3>(), matrix.topRightCorner<3, 1>() };
 }
 

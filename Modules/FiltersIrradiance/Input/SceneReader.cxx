@@ -39,14 +39,6 @@ bool isEqual(
   return isEqual;
 }
 
-void turnOver(std::vector<Triangle>& triangles)
-{
-  for (Triangle& triangle : triangles)
-  {
-    std::swap(triangle.b, triangle.c);
-  }
-}
-
 /// A finite map can take finite points to where squares and volumes are not finite.
 void checkReach(const std::string& where, const AffineMap& map, const Box& box)
 {
@@ -58,10 +50,8 @@ void checkReach(const std::string& where, const AffineMap& map, const Box& box)
     (map.linear.cwiseAbs() * box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs()) +
       map.translation.cwiseAbs())
       .maxCoeff();
-  if (!(reach <= kMostDistant))
-  {
-    throw InputError(where + ": the transform takes points out of range, to " + text(reach) + " m");
-  }
+  throwIf(!(reach <= kMostDistant),
+    where + ": the transform takes points out of range, to " + text(reach) + " m");
 }
 
 /// Positions are doubles, and rays start 2^-33 of the largest coordinate off the surface.
@@ -74,11 +64,9 @@ void checkDigits(const SceneObjects& objects)
     scene.add(object.worldBounds());
   }
   const double size = scene.isEmpty() ? 0.0 : scene.extent().maxCoeff();
-  if (scene.magnitude() > kFarthest * size)
-  {
-    throw InputError("the scene is " + text(size) + " m large and " + text(scene.magnitude()) +
+  throwIf(scene.magnitude() > kFarthest * size,
+    "the scene is " + text(size) + " m large and " + text(scene.magnitude()) +
       " m away from the origin: too far for its size, as positions there have too few digits");
-  }
 }
 
 }
@@ -155,8 +143,12 @@ void SceneReader::readStatic(
   const std::vector<const InputPart*>& staticParts, const CancelPoint& cancelPoint)
 {
   std::vector<Stamp> stamps;
-  std::transform(staticParts.begin(), staticParts.end(), std::back_inserter(stamps),
-    [](const InputPart* part) { return stampOf(*part); });
+  std::vector<vtkPolyData*> inputs;
+  for (const InputPart* part : staticParts)
+  {
+    stamps.push_back(stampOf(*part));
+    inputs.push_back(part->polyData);
+  }
   if (staticStamps_ == stamps)
   {
     return;
@@ -164,9 +156,6 @@ void SceneReader::readStatic(
   hasNews_ = true;
   staticStamps_.reset(); // until all is read
   ConvertedPolyData all(bands_);
-  std::vector<vtkPolyData*> inputs;
-  std::transform(staticParts.begin(), staticParts.end(), std::back_inserter(inputs),
-    [](const InputPart* part) { return part->polyData; });
   all.reserve(inputs);
   for (const InputPart* part : staticParts)
   {
@@ -194,9 +183,9 @@ void SceneReader::readDynamic(
     ConvertedPolyData data(bands_);
     data.reserve({ part.polyData });
     convert(part, data, cancelPoint);
-    if (stamp.isMirrored)
+    for (std::size_t i = 0; stamp.isMirrored && i < data.triangles.size(); ++i)
     {
-      turnOver(data.triangles);
+      std::swap(data.triangles[i].b, data.triangles[i].c);
     }
     adopt(std::move(data), object, true, cancelPoint);
     dynamicStamps_[index] = stamp;

@@ -43,25 +43,6 @@ std::string textOfLost(const std::vector<Sensor>& sensors, const std::vector<cha
   return message.str();
 }
 
-/// The arrays of what the nearest photons tell.
-struct NearestArrays
-{
-  NearestArrays(vtkDataSet* output, int bands)
-    : irradiances(addArray<vtkDoubleArray>(
-        output->GetPointData(), irradianceName(), bands, output->GetNumberOfPoints()))
-    , counts(addArray<vtkIdTypeArray>(
-        output->GetPointData(), kNumberOfPhotons, 1, output->GetNumberOfPoints()))
-    , radii(addArray<vtkDoubleArray>(
-        output->GetPointData(), kSearchRadius, 1, output->GetNumberOfPoints()))
-  {
-    output->GetPointData()->SetActiveScalars(irradianceName().c_str());
-  }
-
-  vtkSmartPointer<vtkDoubleArray> irradiances;
-  vtkSmartPointer<vtkIdTypeArray> counts;
-  vtkSmartPointer<vtkDoubleArray> radii;
-};
-
 }
 
 LightArrays addGatheredLight(vtkDataSet* output, int bands, bool haveNormals, bool haveErrors)
@@ -99,7 +80,12 @@ std::string gatherLight(
 
 void addNearestLight(vtkDataSet* output, int bands)
 {
-  NearestArrays(output, bands);
+  vtkPointData* points = output->GetPointData();
+  const vtkIdType count = output->GetNumberOfPoints();
+  addArray<vtkDoubleArray>(points, irradianceName(), bands, count);
+  addArray<vtkIdTypeArray>(points, kNumberOfPhotons, 1, count);
+  addArray<vtkDoubleArray>(points, kSearchRadius, 1, count);
+  points->SetActiveScalars(irradianceName().c_str());
 }
 
 std::string measureNearestLight(
@@ -109,7 +95,11 @@ std::string measureNearestLight(
   constexpr std::size_t kUnit = 64; // sensors
   IrradianceEngine& engine = *run.engine;
   const int bands = engine.objects().staticObject.material->bands;
-  const NearestArrays arrays(run.output, bands);
+  addNearestLight(run.output, bands);
+  vtkPointData* points = run.output->GetPointData();
+  auto* irradiances = vtkDoubleArray::SafeDownCast(points->GetArray(irradianceName().c_str()));
+  auto* counts = vtkIdTypeArray::SafeDownCast(points->GetArray(kNumberOfPhotons));
+  auto* radii = vtkDoubleArray::SafeDownCast(points->GetArray(kSearchRadius));
   engine.collectPhotons(run.execution);
   engine.prepareSurfaces(run.execution);
   const NearestPhotons nearest = engine.nearestPhotons();
@@ -128,13 +118,13 @@ std::string measureNearestLight(
       const Bands direct = foot ? directLightAt(*foot, i, lights, engine.scene()) : Bands{};
       for (int band = 0; band < bands; ++band)
       {
-        arrays.irradiances->SetTypedComponent(point, band,
+        irradiances->SetTypedComponent(point, band,
           estimate.area > 0 ? direct[static_cast<std::size_t>(band)] +
               engine.watts(estimate.power[band]) / estimate.area
                             : kUnknown);
       }
-      arrays.counts->SetTypedComponent(point, 0, static_cast<vtkIdType>(estimate.found));
-      arrays.radii->SetTypedComponent(point, 0, estimate.radius);
+      counts->SetTypedComponent(point, 0, static_cast<vtkIdType>(estimate.found));
+      radii->SetTypedComponent(point, 0, estimate.radius);
     }
   });
   std::ostringstream where;

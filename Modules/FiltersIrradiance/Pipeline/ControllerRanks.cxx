@@ -114,21 +114,15 @@ vtkSmartPointer<vtkCharArray> messageOf(vtkDataObject* data)
   const auto loaded = snapshotOf(data);
   forEachDataSet(loaded, load);
   auto message = vtkSmartPointer<vtkCharArray>::New();
-  if (!vtkCommunicator::MarshalDataObject(loaded, message))
-  {
-    throw InputError(
-      std::string("VTK could not write a ") + data->GetClassName() + " for the other processes");
-  }
+  throwIf(!vtkCommunicator::MarshalDataObject(loaded, message),
+    std::string("VTK could not write a ") + data->GetClassName() + " for the other processes");
   return message;
 }
 
 vtkSmartPointer<vtkDataObject> dataOf(vtkCharArray* message)
 {
   auto data = vtkCommunicator::UnMarshalDataObject(message);
-  if (!data)
-  {
-    throw InputError("VTK could not read the data of another process");
-  }
+  throwIf(!data, "VTK could not read the data of another process");
   forEachDataSet(data, unload);
   return data;
 }

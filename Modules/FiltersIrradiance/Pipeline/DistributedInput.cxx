@@ -30,13 +30,8 @@ using Parts = std::vector<InputPart*>;
 using Pieces = std::vector<vtkSmartPointer<vtkPolyData>>;
 
 constexpr const char* kMark = "vtkIrradiancePieceCell";
-enum MarkComponent
-{
-  Process,
-  CellOfPiece,
-  GlobalId, ///< -1: none
-  kMarkComponents
-};
+/// Its components; kGlobalId -1: none.
+constexpr int kProcess = 0, kCellOfPiece = 1, kGlobalId = 2, kMarkComponents = 3;
 
 /// Doubles by their bits: a total order, with NaN in it.
 std::int64_t keyOf(double coordinate)
@@ -66,7 +61,7 @@ public:
     return static_cast<std::size_t>(
       std::upper_bound(ends_.begin(), ends_.end(), cell) - ends_.begin());
   }
-  vtkIdType mark(vtkIdType cell, MarkComponent component) const
+  vtkIdType mark(vtkIdType cell, int component) const
   {
     return marks_->GetTypedComponent(cell, component);
   }
@@ -77,14 +72,14 @@ public:
     {
       return kindOf(a) < kindOf(b);
     }
-    if (mark(a, GlobalId) != mark(b, GlobalId))
+    if (mark(a, kGlobalId) != mark(b, kGlobalId))
     {
-      return mark(a, GlobalId) < mark(b, GlobalId);
+      return mark(a, kGlobalId) < mark(b, kGlobalId);
     }
     const int places = comparePlaces(a, b);
     return places != 0 ? places < 0
-                       : std::array{ mark(a, Process), mark(a, CellOfPiece) } <
-        std::array{ mark(b, Process), mark(b, CellOfPiece) };
+                       : std::array{ mark(a, kProcess), mark(a, kCellOfPiece) } <
+        std::array{ mark(b, kProcess), mark(b, kCellOfPiece) };
   }
 
 private:
@@ -132,9 +127,9 @@ vtkSmartPointer<vtkPolyData> markedPiece(vtkPolyData* piece, std::uint32_t rank)
   vtkDataArray* ids = piece->GetCellData()->GetGlobalIds();
   for (vtkIdType i = 0; i < piece->GetNumberOfCells(); ++i)
   {
-    marks->SetTypedComponent(i, Process, static_cast<vtkIdType>(rank));
-    marks->SetTypedComponent(i, CellOfPiece, i);
-    marks->SetTypedComponent(i, GlobalId, ids ? static_cast<vtkIdType>(ids->GetTuple1(i)) : -1);
+    marks->SetTypedComponent(i, kProcess, static_cast<vtkIdType>(rank));
+    marks->SetTypedComponent(i, kCellOfPiece, i);
+    marks->SetTypedComponent(i, kGlobalId, ids ? static_cast<vtkIdType>(ids->GetTuple1(i)) : -1);
   }
   return marked;
 }
@@ -160,7 +155,7 @@ vtkSmartPointer<vtkPolyData> orderedByPlace(
   data->CopyAllocate(marked->GetCellData(), count);
   cells.assign(
     static_cast<std::size_t>(std::count_if(sorted.begin(), sorted.end(),
-      [&](vtkIdType cell) { return order.mark(cell, Process) == static_cast<vtkIdType>(rank); })),
+      [&](vtkIdType cell) { return order.mark(cell, kProcess) == static_cast<vtkIdType>(rank); })),
     0);
   for (std::size_t i = 0; i < sorted.size(); ++i)
   {
@@ -170,9 +165,9 @@ vtkSmartPointer<vtkPolyData> orderedByPlace(
     marked->GetCellPoints(cell, size, points);
     kinds[order.kindOf(cell)]->InsertNextCell(size, points);
     data->CopyData(marked->GetCellData(), cell, static_cast<vtkIdType>(i));
-    if (order.mark(cell, Process) == static_cast<vtkIdType>(rank))
+    if (order.mark(cell, kProcess) == static_cast<vtkIdType>(rank))
     {
-      cells[static_cast<std::size_t>(order.mark(cell, CellOfPiece))] = i;
+      cells[static_cast<std::size_t>(order.mark(cell, kCellOfPiece))] = i;
     }
   }
   ordered->SetVerts(kinds[0]);
@@ -252,15 +247,6 @@ bool haveSameCells(vtkPolyData* a, vtkPolyData* b)
   return isSame;
 }
 
-/// Whether each process has all of a part, such as a lamp that each has made, or a source that
-/// knows no pieces.
-bool isWholeOnEach(const Pieces& pieces, const Ranks& ranks)
-{
-  return pieces.size() == ranks.count() &&
-    std::all_of(pieces.begin(), pieces.end(),
-      [&](vtkPolyData* piece) { return haveSameCells(piece, pieces.front()); });
-}
-
 /// Puts the pieces of a part together. `cells`: of this rank's piece.
 vtkSmartPointer<vtkPolyData> wholeOf(
   Pieces pieces, const Ranks& ranks, std::vector<std::size_t>& cells)
@@ -270,8 +256,11 @@ vtkSmartPointer<vtkPolyData> wholeOf(
     return vtkSmartPointer<vtkPolyData>::New();
   }
   std::uint32_t holder = ranks.rank();
-  if (isWholeOnEach(pieces, ranks))
+  if (pieces.size() == ranks.count() &&
+    std::all_of(pieces.begin(), pieces.end(),
+      [&](vtkPolyData* piece) { return haveSameCells(piece, pieces.front()); }))
   {
+    // Each process has all of it: a lamp that each has made, or a source that knows no pieces.
     pieces.resize(1);
     holder = 0;
   }

@@ -83,11 +83,9 @@ void setInputTypes(vtkInformation* port, const char* composite, const char* othe
 
 std::uint32_t checked(const char* name, vtkIdType value, vtkIdType low, vtkIdType high)
 {
-  if (value < low || value > high)
-  {
-    throw InputError(std::string(name) + " is " + std::to_string(value) + "; " +
-      std::to_string(low) + " to " + std::to_string(high) + " are possible");
-  }
+  throwIf(value < low || value > high,
+    std::string(name) + " is " + std::to_string(value) + "; " + std::to_string(low) + " to " +
+      std::to_string(high) + " are possible");
   return static_cast<std::uint32_t>(value);
 }
 

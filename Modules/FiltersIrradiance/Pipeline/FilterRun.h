@@ -39,7 +39,8 @@ private:
 };
 
 /// Has an input port take data of these types. Composite ones come first: else the executive would
-/// call the filter for each block separately.
+/// call the filter for each block separately. vtkDataObject: the filter refuses other data itself,
+/// once and in words that help.
 void setInputTypes(vtkInformation* port, const char* composite, const char* other);
 
 /// The value of a property. Throws InputError unless `low` <= value <= `high`.

@@ -88,29 +88,23 @@ bool PhotonSource::isEmptyPiece(vtkMultiBlockDataSet* data, vtkInformation* outp
     isEmptyPieceRequested(output);
 }
 
-PhotonSource::PhotonSource(vtkDataObject* data, const char* what, Need need)
+PhotonSource::PhotonSource(vtkDataObject* data, const char* what, bool readsPhotons)
   : what_(what)
 {
   EngineReference* reference = referenceIn(data);
-  if (!reference)
-  {
-    throw InputError(std::string(what) +
+  throwIf(!reference,
+    std::string(what) +
       " is no output of vtkIrradianceFilter, or has lost its photons (files do not keep them): "
       "connect the filter, or a shallow copy of its whole output");
-  }
   engine_ = reference->engine;
   pieces_ = reference->pieces;
-  if (!engine_->isValid() || engine_->state() != reference->state)
-  {
-    throw InputError(std::string(what) +
+  throwIf(!engine_->isValid() || engine_->state() != reference->state,
+    std::string(what) +
       " is out of date: its vtkIrradianceFilter has executed since. Take its new output");
-  }
-  if (need == Need::Photons && !engine_->storesWalks())
-  {
-    throw InputError(std::string(what) +
+  throwIf(readsPhotons && !engine_->storesWalks(),
+    std::string(what) +
       " was computed without keeping the photons, as nothing can move: connect the "
       "vtkIrradianceFilter itself, which then keeps them");
-  }
 }
 
 void PhotonSource::forEachPart(vtkMultiBlockDataSet* data, const Visit& visit) const
@@ -119,8 +113,8 @@ void PhotonSource::forEachPart(vtkMultiBlockDataSet* data, const Visit& visit) c
     if (!isAlike)
     {
       throw InputError(std::string(what_) +
-        " is a part of an output of vtkIrradianceFilter, or has other cells: the whole output is "
-        "needed");
+        " is a part of an output of vtkIrradianceFilter, or has other cells: "
+        "the whole output is needed");
     }
   };
   check(data->GetNumberOfBlocks() == 2);

@@ -33,15 +33,10 @@ public:
   /// processes.
   static bool isEmptyPiece(vtkMultiBlockDataSet* data, vtkInformation* output);
 
-  /// What the filter reads: stored photons, or no more than sums.
-  enum class Need
-  {
-    Photons,
-    Sums
-  };
-  /// `what`: the input, as errors name it. Throws InputError if the data refers to no engine, if
-  /// the engine has gone on since, or if it did not keep what is needed.
-  PhotonSource(vtkDataObject* data, const char* what, Need need = Need::Photons);
+  /// `what`: the input, as errors name it. `readsPhotons`: stored ones, else no more than sums.
+  /// Throws InputError if the data refers to no engine, if the engine has gone on since, or if it
+  /// did not keep what is needed.
+  PhotonSource(vtkDataObject* data, const char* what, bool readsPhotons);
 
   const std::shared_ptr<IrradianceEngine>& engine() const { return engine_; }
 

@@ -19,16 +19,12 @@ namespace
 constexpr double kMega = 1e6;
 constexpr double kMuch = 256 * kMega; ///< less is not worth asking the system
 
-/// Of one stored segment.
-double segmentBytes()
-{
-  return static_cast<double>(BounceBlock::pageBytes(1)) / BouncePage::kSize;
-}
-
-double walksHere(const EngineSettings& settings, std::size_t ranks)
+/// Of the walks that are stored here, if each has one segment.
+double bytesHere(const EngineSettings& settings, std::size_t ranks)
 {
   const double walks = settings.numberOfWalks;
-  return settings.allOnEachRank ? walks : walks / static_cast<double>(ranks);
+  const double segmentBytes = static_cast<double>(BounceBlock::pageBytes(1)) / BouncePage::kSize;
+  return (settings.allOnEachRank ? walks : walks / static_cast<double>(ranks)) * segmentBytes;
 }
 
 /// All that the machine has, or the limit of the process.
@@ -56,7 +52,7 @@ void requireMemory(const SceneObjects& objects, const EngineSettings& settings, 
 {
   // A walk from a light has at least one segment. Walks from cells are born only where light
   // arrives.
-  const double bytes = walksHere(settings, ranks) * segmentBytes();
+  const double bytes = bytesHere(settings, ranks);
   if (storesWalks(objects, settings) && !settings.gathersDirectLight && bytes > kMuch &&
     bytes > availableBytes())
   {
@@ -75,9 +71,8 @@ std::string outOfMemory(
   const SceneObjects& objects, const EngineSettings& settings, std::size_t ranks)
 {
   const double reflected = std::min(0.99, meanReflectance(objects.staticObject));
-  const double bytes = storesWalks(objects, settings)
-    ? walksHere(settings, ranks) * segmentBytes() / (1 - reflected)
-    : 0;
+  const double bytes =
+    storesWalks(objects, settings) ? bytesHere(settings, ranks) / (1 - reflected) : 0;
   return "out of memory: " + sentence(settings, "some ", bytes);
 }
 

@@ -3,8 +3,9 @@
 
 #include "Data/ArrayNames.h"
 #include "Data/NamedArray.h"
+#include "Exposure/ExposureSpread.h"
+#include "Input/PolyDataConverter.h"
 #include "Progress/InputError.h"
-#include "Time/SpreadableLeaf.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
@@ -12,6 +13,7 @@
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,11 +30,6 @@ namespace
 using Leaf = ExposureSums::Leaf;
 using Side = ExposureSums::Side;
 
-bool hasCells(vtkDataSet* data)
-{
-  return data && data->GetNumberOfCells() > 0;
-}
-
 std::string errorName(const std::string& suffix)
 {
   return standardErrorName(irradianceName(suffix));
@@ -43,37 +40,38 @@ vtkDataArray* arrayOf(vtkDataSet* data, const std::string& name)
   return data->GetCellData()->GetArray(name.c_str());
 }
 
+/// The sides of which there is irradiance.
+std::vector<const char*> sidesIn(vtkDataSetAttributes* values)
+{
+  std::vector<const char*> sides;
+  std::copy_if(kSideSuffixes.begin(), kSideSuffixes.end(), std::back_inserter(sides),
+    [&](const char* suffix) { return values->GetArray(irradianceName(suffix).c_str()); });
+  return sides;
+}
+
 /// The values of an array that an earlier time had, with so many components.
 SharedValues checkedValues(const std::string& leaf, vtkDataSet* data, const std::string& name,
   std::size_t components, double time)
 {
   vtkDataArray* array = arrayOf(data, name);
-  if (!array || static_cast<std::size_t>(array->GetNumberOfComponents()) != components)
-  {
-    throw InputError(leaf + ": the cell array " + name + " has " +
+  throwIf(!array || static_cast<std::size_t>(array->GetNumberOfComponents()) != components,
+    leaf + ": the cell array " + name + " has " +
       (array ? std::to_string(array->GetNumberOfComponents()) + " components" : "gone") +
       " at time " + text(time) + ", but " + std::to_string(components) +
       " components at an earlier visited time");
-  }
   return valuesOf(array);
 }
 
 /// Throws InputError for sensors, whose values belong to points.
 void checkCellValues(const LeafData& leaf)
 {
-  const auto hasIrradiance = [](vtkDataSetAttributes* values) {
-    return std::any_of(std::begin(kSideSuffixes), std::end(kSideSuffixes),
-      [&](const char* suffix) { return values->HasArray(irradianceName(suffix).c_str()) != 0; });
-  };
-  if (leaf.data && !hasIrradiance(leaf.data->GetCellData()) &&
-    (hasIrradiance(leaf.data->GetPointData()) ||
-      leaf.data->GetPointData()->HasArray(kFluenceRate) != 0))
-  {
-    throw InputError(leaf.name +
+  throwIf(leaf.data && sidesIn(leaf.data->GetCellData()).empty() &&
+      (!sidesIn(leaf.data->GetPointData()).empty() ||
+        leaf.data->GetPointData()->HasArray(kFluenceRate) != 0),
+    leaf.name +
       " has the light of points, as vtkIrradianceProbeFilter makes it, and a dose is one of cells: "
       "give each sensor a normal, and a vertex cell by vtkVertexGlyphFilter, before that filter, "
       "and put vtkPointDataToCellData behind it");
-  }
 }
 
 void checkStale(vtkFieldData* fields, double time)
@@ -114,12 +112,9 @@ Side newSide(const std::string& leaf, const std::string& suffix, vtkDataSet* dat
 std::vector<Side> sidesOf(const std::string& leaf, vtkDataSet* data)
 {
   std::vector<Side> sides;
-  for (const char* suffix : kSideSuffixes)
+  for (const char* suffix : sidesIn(data->GetCellData()))
   {
-    if (arrayOf(data, irradianceName(suffix)))
-    {
-      sides.push_back(newSide(leaf, suffix, data));
-    }
+    sides.push_back(newSide(leaf, suffix, data));
   }
   return sides;
 }
@@ -128,12 +123,10 @@ void begin(Leaf& leaf, vtkDataSet* data, double time)
 {
   leaf.firstTime = time;
   leaf.sides = sidesOf(leaf.name, data);
-  if (leaf.sides.empty())
-  {
-    throw InputError(leaf.name + " has no cell array " + irradianceName() + ", or " +
-      irradianceName("Front") + " and " + irradianceName("Back") + ", at time " + text(time) +
+  throwIf(leaf.sides.empty(),
+    leaf.name + " has no cell array " + irradianceName() + ", or " + irradianceName("Front") +
+      " and " + irradianceName("Back") + ", at time " + text(time) +
       ": connect the output of vtkIrradianceFilter, or data that have such arrays");
-  }
 }
 
 void checkCells(const Leaf& leaf, vtkDataSet* data, double time)
@@ -216,11 +209,29 @@ void appendSide(Side& side, const Side& next, bool isShared)
   }
 }
 
+/// Whether exposure is spread over the cells of a leaf: it is vtkPolyData with polygons or strips.
+bool isSpreadable(vtkDataSet* leaf)
+{
+  auto* surface = vtkPolyData::SafeDownCast(leaf);
+  return surface && surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0;
+}
+
+/// The cells of such a leaf. Throws InputError for cells that are no polygons.
+ExposedSurface surfaceOf(const Leaf& leaf, const CancelPoint& cancelPoint)
+{
+  ConvertedPolyData cells(1);
+  vtkPolyData* surface = vtkPolyData::SafeDownCast(leaf.geometry);
+  cells.reserve({ surface });
+  convertPolyData(leaf.name, surface, {}, 0, cells, cancelPoint);
+  return { std::move(cells.triangles), std::move(cells.material.cellOfTriangle),
+    cells.material.numberOfCells };
+}
+
 /// Front and back are spread together, as surfaces that are turned over may go on as each other;
 /// one of them alone would lose energy to the other, and stays as it is.
 void spreadLeaf(Leaf& leaf, double photons, Execution& execution)
 {
-  const ExposedSurface surface = surfaceOf(leaf.name, leaf.geometry, cancelPointOf(execution, 0));
+  const ExposedSurface surface = surfaceOf(leaf, cancelPointOf(execution, 0));
   std::vector<ExposedSide> halves;
   for (Side& side : leaf.sides)
   {
@@ -310,13 +321,10 @@ void ExposureSums::checkStructure(const std::vector<LeafData>& leaves, double ti
   }
   const bool isSame = std::equal(leaves.begin(), leaves.end(), leaves_.begin(), leaves_.end(),
     [](const LeafData& a, const Leaf& b) { return a.flatIndex == b.flatIndex; });
-  if (!isSame)
-  {
-    throw InputError("the structure of the input differs: it has " +
-      std::to_string(leaves_.size()) + " blocks at time " + text(firstTime_) + " and " +
-      std::to_string(leaves.size()) + " blocks, or others, at time " + text(time) +
-      ". A part that is not there is an empty block");
-  }
+  throwIf(!isSame,
+    "the structure of the input differs: it has " + std::to_string(leaves_.size()) +
+      " blocks at time " + text(firstTime_) + " and " + std::to_string(leaves.size()) +
+      " blocks, or others, at time " + text(time) + ". A part that is not there is an empty block");
 }
 
 void ExposureSums::add(const TimedData& input, double weight)
@@ -330,7 +338,7 @@ void ExposureSums::add(const TimedData& input, double weight)
     Leaf& leaf = leaves_[i];
     vtkDataSet* cells = leaves[i].data;
     checkCellValues(leaves[i]);
-    if (!hasCells(cells))
+    if (!cells || cells->GetNumberOfCells() == 0)
     {
       endRuns(leaf);
       continue;
@@ -374,13 +382,10 @@ void ExposureSums::append(ExposureSums next)
     }
     else if (later.geometry)
     {
-      if (!std::equal(
-            leaf.sides.begin(), leaf.sides.end(), later.sides.begin(), later.sides.end(), isAlike))
-      {
-        throw InputError(leaf.name +
-          " has other cell arrays of irradiance or of its errors at time " + text(later.firstTime) +
-          " than before");
-      }
+      throwIf(!std::equal(leaf.sides.begin(), leaf.sides.end(), later.sides.begin(),
+                later.sides.end(), isAlike),
+        leaf.name + " has other cell arrays of irradiance or of its errors at time " +
+          text(later.firstTime) + " than before");
       for (std::size_t side = 0; side < leaf.sides.size(); ++side)
       {
         appendSide(leaf.sides[side], later.sides[side], leaf.time == later.firstTime);
@@ -417,6 +422,25 @@ void ExposureSums::write(vtkDataObject* last, vtkDataObject* output) const
   fillLeaves(last, output, [&](std::size_t i) { return written(leaves_[i], leaves[i].data); });
   output->GetInformation()->Remove(vtkDataObject::DATA_TIME_STEP());
   energies_.write(output->GetFieldData());
+}
+
+void ExposureSums::expectReplicates(vtkDataObject* data)
+{
+  for (const LeafData& leaf : leavesOf(data))
+  {
+    const bool isSpread = isSpreadable(leaf.data);
+    for (const char* suffix :
+      isSpread ? sidesIn(leaf.data->GetCellData()) : std::vector<const char*>{})
+    {
+      vtkDataArray* replicates = arrayOf(leaf.data, replicatesName(suffix));
+      throwIf(!replicates ||
+          replicates->GetNumberOfComponents() <
+            2 * arrayOf(leaf.data, irradianceName(suffix))->GetNumberOfComponents(),
+        leaf.name + " has no replicates of " + irradianceName(suffix) +
+          ", by which NumberOfSpreadPhotons counts its photons: switch ComputeStandardError of "
+          "vtkIrradianceFilter on, or set NumberOfSpreadPhotons to 0; data from files have none");
+    }
+  }
 }
 
 }

@@ -62,6 +62,8 @@ public:
   bool haveCells() const;
   /// `last`: the data of the last time; `output`: empty, of the same type.
   void write(vtkDataObject* last, vtkDataObject* output) const;
+  /// Throws InputError if a leaf that can be spread has irradiance, but not two replicates of it.
+  static void expectReplicates(vtkDataObject* data);
 
 private:
   void checkStructure(const std::vector<LeafData>& leaves, double time);

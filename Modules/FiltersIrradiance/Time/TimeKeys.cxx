@@ -35,11 +35,9 @@ std::string rangeText(const TimeSpan& span)
 
 void checkWithin(const char* name, double time, const TimeSpan& range)
 {
-  if (!(time >= range.start && time <= range.end))
-  {
-    throw InputError(std::string(name) + " is " + text(time) +
-      ", outside of the input's times, which are " + rangeText(range));
-  }
+  throwIf(!(time >= range.start && time <= range.end),
+    std::string(name) + " is " + text(time) + ", outside of the input's times, which are " +
+      rangeText(range));
 }
 
 /// The time that data say to be of. Files have some times alone, and take the nearest. Data that do
@@ -137,52 +135,39 @@ TimeSpan timeSpan(vtkInformation* input, double startTime, double endTime)
     std::isnan(endTime) ? range.end : endTime };
   checkWithin("StartTime", span.start, range);
   checkWithin("EndTime", span.end, range);
-  if (!(span.start < span.end))
-  {
-    throw InputError("the limits are the wrong way round, or equal: StartTime is " +
-      text(span.start) + ", EndTime is " + text(span.end) + " (the input's times are " +
-      rangeText(range) + ")");
-  }
+  throwIf(!(span.start < span.end),
+    "the limits are the wrong way round, or equal: StartTime is " + text(span.start) +
+      ", EndTime is " + text(span.end) + " (the input's times are " + rangeText(range) + ")");
   return span;
 }
 
 std::vector<double> stepTimes(vtkInformation* input, const TimeSpan& span)
 {
   const std::vector<double> steps = stepsOf(input);
-  if (steps.size() < 2)
-  {
-    throw InputError("IntegrationMode is TimeSteps, but the input has " +
-      std::to_string(steps.size()) +
+  throwIf(steps.size() < 2,
+    "IntegrationMode is TimeSteps, but the input has " + std::to_string(steps.size()) +
       " TIME_STEPS, and 2 at least are needed: choose Uniform or ErrorControlled");
-  }
-  if (std::none_of(steps.begin(), steps.end(),
-        [&](double step) { return step >= span.start && step <= span.end; }))
-  {
-    throw InputError("none of the input's TIME_STEPS is within " + rangeText(span) +
+  throwIf(std::none_of(steps.begin(), steps.end(),
+            [&](double step) { return step >= span.start && step <= span.end; }),
+    "none of the input's TIME_STEPS is within " + rangeText(span) +
       " (StartTime to EndTime), so IntegrationMode TimeSteps is not possible");
-  }
   return timesWithin(steps, span);
 }
 
 std::optional<double> timeBetweenSteps(vtkInformation* input, const TimeSpan& span)
 {
   const std::vector<double> steps = stepsOf(input);
-  if (steps.empty())
-  {
-    return std::nullopt;
-  }
-  return middleOf(span.start, timesWithin(steps, span)[1]);
+  return steps.empty() ? std::nullopt
+                       : std::optional<double>(middleOf(span.start, timesWithin(steps, span)[1]));
 }
 
 void checkTime(vtkInformation* input, double time, const TimeSpan& span)
 {
-  if (!isOfTime(input, time, span))
-  {
-    throw InputError("the input was asked for time " + text(time) + ", but came with that of " +
+  throwIf(!isOfTime(input, time, span),
+    "the input was asked for time " + text(time) + ", but came with that of " +
       text(givenTime(input, time)) +
       ": choose IntegrationMode TimeSteps with StartTime and EndTime among the TIME_STEPS, or put "
       "a vtkTemporalInterpolator before this filter");
-  }
 }
 
 bool comesAtStepsOnly(vtkExecutive* executive, int port, const TimeSpan& span)

@@ -16,6 +16,15 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// For checks that are rare: the message is made in any case.
+inline void throwIf(bool isWrong, const std::string& message)
+{
+  if (isWrong)
+  {
+    throw InputError(message);
+  }
+}
+
 /// A value as a message shows it, with enough digits that 1.000000001 does not look like 1.
 inline std::string text(double value)
 {
