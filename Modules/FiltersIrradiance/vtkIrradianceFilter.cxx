@@ -3,7 +3,6 @@
 
 #include "Data/ArrayNames.h"
 #include "Estimates/AutomaticChoice.h"
-#include "Execution/ProgressSpan.h"
 #include "FinalGather/PathLights.h"
 #include "Input/ChosenArrays.h"
 #include "Input/SceneAdvice.h"

@@ -4,8 +4,6 @@
 #include "AgreedChange.h"
 #include "Estimates/AutomaticChoice.h"
 #include "Estimates/TargetLever.h"
-#include "Execution/ProgressSpan.h"
-#include "Execution/Stopwatch.h"
 #include "FinalGather/PathLights.h"
 
 #include <algorithm>
@@ -220,9 +218,9 @@ void IrradianceEngine::follow(Execution& execution)
   const bool hasMoved = hasMotion(frame_.moved);
   if (hasMoved)
   {
-    const Stopwatch stopwatch;
+    const double start = steadySeconds();
     commitScene(execution);
-    statistics_.verifySeconds = stopwatch.seconds();
+    statistics_.verifySeconds = steadySeconds() - start;
   }
   if (walks_.isEmpty() || !(hasMoved || walks_.hasStale()))
   {
@@ -234,12 +232,12 @@ void IrradianceEngine::follow(Execution& execution)
   }
   PhotonChanges changes;
   walks_.follow(frame_, photons_ ? &changes : nullptr, execution);
-  const Stopwatch stopwatch;
+  const double start = steadySeconds();
   if (photons_)
   {
     photons_->apply(objects(), walks_.histories(), changes, execution);
   }
-  statistics_.repairSeconds = stopwatch.seconds();
+  statistics_.repairSeconds = steadySeconds() - start;
 }
 
 void IrradianceEngine::shootRound(std::size_t round, Execution& execution)

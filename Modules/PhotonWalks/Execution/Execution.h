@@ -5,13 +5,21 @@
 #include "Execution/Ranks.h"
 #include "Progress/CancelPoint.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <exception>
 #include <functional>
+#include <mutex>
 
 namespace irradiance
 {
+
+/// The monotonic clock of this machine.
+inline double steadySeconds()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 /// Gives the engine its threads and ranks, and takes its reports of progress. This one is serial,
 /// alone and silent.
@@ -42,12 +50,6 @@ public:
   virtual Ranks& ranks() { return alone_; }
 
 private:
-  static double steadySeconds()
-  {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-  }
-
   Ranks alone_;
 };
 
@@ -75,6 +77,89 @@ inline CancelPoint cancelPointOf(Execution& execution, double progress)
     }
   };
 }
+
+/// A part of the work: its progress 0..1 counts as `from`..`to` of the whole.
+class ProgressSpan : public Execution
+{
+public:
+  /// `whole` must outlive the part.
+  ProgressSpan(Execution& whole, double from, double to)
+    : whole_(whole)
+    , from_(from)
+    , to_(to)
+  {
+  }
+
+  void parallelFor(
+    std::size_t count, const std::function<void(std::size_t, std::size_t)>& task) override
+  {
+    whole_.parallelFor(count, task);
+  }
+
+  bool reportProgress(double progress) override
+  {
+    return whole_.reportProgress(progress == 1 ? to_ : from_ + progress * (to_ - from_));
+  }
+
+  double seconds() const override { return whole_.seconds(); }
+  double slicingSeconds() const override { return whole_.slicingSeconds(); }
+
+  Ranks& ranks() override { return whole_.ranks(); }
+
+private:
+  Execution& whole_;
+  double from_, to_;
+};
+
+/// Time that several threads may spend on items whose cost is only learnt by doing them.
+class TimeBudget
+{
+public:
+  /// Begins now. `seconds` may be infinite.
+  TimeBudget(const Execution& execution, double seconds)
+    : execution_(execution)
+    , begin_(execution.seconds())
+    , end_(begin_ + seconds)
+  {
+  }
+
+  double now() const { return execution_.seconds(); }
+  double elapsed() const { return now() - begin_; }
+  /// How many items, at most `most`, a thread should begin together: by the mean cost so far they
+  /// take half of the time that is left. 0 if that does not suffice for one.
+  std::size_t itemsToBegin(std::size_t most) const
+  {
+    constexpr std::size_t kToLearn = 16; // while no cost is known
+    const double left = end_ - now();
+    if (!(left > 0))
+    {
+      return 0;
+    }
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (items_ == 0)
+    {
+      return std::min(kToLearn, most);
+    }
+    const double affordable = 0.5 * left * items_;
+    return affordable < static_cast<double>(most) * spent_
+      ? static_cast<std::size_t>(affordable / spent_)
+      : most;
+  }
+  /// Records what items have cost the thread that did them.
+  void spend(double seconds, std::size_t items)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    spent_ += seconds;
+    items_ += static_cast<double>(items);
+  }
+
+private:
+  const Execution& execution_;
+  double begin_, end_;
+  mutable std::mutex mutex_;
+  double spent_ = 0;
+  double items_ = 0;
+};
 
 }
 

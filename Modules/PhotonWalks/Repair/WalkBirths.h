@@ -4,7 +4,6 @@
 
 #include "Execution/Pool.h"
 #include "Execution/SlicedPass.h"
-#include "Execution/TimeBudget.h"
 #include "Shooting/WalkBatch.h"
 
 #include <atomic>

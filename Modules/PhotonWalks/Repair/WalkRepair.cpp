@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/WalkRepair.h"
 
-#include "Execution/ProgressSpan.h"
-#include "Execution/Stopwatch.h"
-
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -60,21 +57,21 @@ void WalkRepair::verifyAndRepair(Execution& execution)
       if (!open[unit])
       {
         open[unit] = take();
-        const Stopwatch stopwatch;
+        const double start = steadySeconds();
         state_.verifier.find(first, end, {}, open[unit]->verifier, open[unit]->batch.front());
-        const double seconds = stopwatch.seconds();
+        const double seconds = steadySeconds() - start;
         const std::lock_guard<std::mutex> lock(mutex_);
         figures_.verifySeconds += seconds;
         figures_.invalidWalks += static_cast<std::int64_t>(open[unit]->batch.front().size);
       }
-      const Stopwatch stopwatch;
+      const double start = steadySeconds();
       const bool isDone = shoot(*open[unit], hasToStop);
       if (isDone)
       {
         finish(open[unit]);
       }
       const std::lock_guard<std::mutex> lock(mutex_);
-      figures_.repairSeconds += stopwatch.seconds();
+      figures_.repairSeconds += steadySeconds() - start;
       return isDone;
     });
 }

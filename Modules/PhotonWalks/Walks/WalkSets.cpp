@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Walks/WalkSets.h"
 
-#include "Execution/ProgressSpan.h"
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
