@@ -2,7 +2,6 @@
 #include "DirectLight/DirectGather.h"
 
 #include "DirectLight/DarkSides.h"
-#include "Sampling/SplitMix.h"
 
 #include <algorithm>
 
