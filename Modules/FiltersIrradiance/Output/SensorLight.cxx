@@ -4,7 +4,7 @@
 #include "Data/ArrayNames.h"
 #include "Execution/SlicedPass.h"
 #include "IrradianceEngine.h"
-#include "Photons/NearestEstimate.h"
+#include "Photons/NearestPhotons.h"
 #include "Pipeline/WalkMemory.h"
 #include "Views/SensorFinalGather.h"
 

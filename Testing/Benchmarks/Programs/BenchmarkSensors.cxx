@@ -27,7 +27,7 @@
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
 #include "Measuring/Shot.h"
-#include "Photons/NearestEstimate.h"
+#include "Photons/NearestPhotons.h"
 #include "Rivals/PlainGatherer.h"
 #include "Scenes/PlainRoom.h"
 #include "Scenes/SurfaceSensors.h"
