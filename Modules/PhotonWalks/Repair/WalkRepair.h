@@ -78,7 +78,7 @@ public:
 private:
   struct Unit;
 
-  std::vector<Unit> units(StaleWalks& stale, const PowerClass& like) const;
+  std::vector<Unit> units(StaleWalks& stale, std::uint16_t weakest, std::size_t walks) const;
   bool work(
     Unit& unit, StaleWalks& stale, TimeBudget* budget, const std::function<bool()>& hasToStop);
   /// The next walks of a unit; null if there are none or the time is up.

@@ -72,8 +72,7 @@ void WalkVerifier::choose(Memory& memory, const IsChosen& isChosen, WalkFront& s
       {
         if (isChosen(*fronts[i], next[i]))
         {
-          memory.chosen.push_back(
-            { static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(next[i]) });
+          memory.chosen.emplace_back(i, next[i]);
         }
       }
     }
@@ -81,8 +80,8 @@ void WalkVerifier::choose(Memory& memory, const IsChosen& isChosen, WalkFront& s
   stale.pick(fronts, memory.chosen);
   for (std::size_t i = 0; cachesStaticHits_ && i < memory.chosen.size(); ++i)
   {
-    const Suspects& from = *suspects[memory.chosen[i].front];
-    const std::uint32_t row = memory.chosen[i].row;
+    const auto [front, row] = memory.chosen[i];
+    const Suspects& from = *suspects[front];
     memory.hidden.push_back(isDynamic(from.rows.hit[row]) ? from.known[row] : HiddenHit{});
   }
 }

@@ -54,7 +54,7 @@ public:
     Suspects blocked, lost, uncovered;
     std::vector<std::vector<std::uint32_t>> slots; ///< that the scan flagged, by block
     std::vector<std::uint32_t> firstStale;         ///< bounce, by walk
-    std::vector<WalkFront::Row> chosen;
+    WalkFront::Rows chosen;
     StoredRays rays;
     FrontCast cast;
   };
