@@ -3,7 +3,6 @@
 
 #include "AgreedChange.h"
 #include "Estimates/AutomaticChoice.h"
-#include "Estimates/TargetLever.h"
 #include "FinalGather/PathLights.h"
 
 #include <algorithm>
