@@ -5,7 +5,7 @@
 #include "Execution/Pool.h"
 #include "FinalGather/FinalGatherScene.h"
 #include "FinalGather/FollowedPaths.h"
-#include "FinalGather/LobeLight.h"
+#include "FinalGather/PathLights.h"
 #include "Surfaces/Absorption.h"
 
 #include <cstdint>
