@@ -260,7 +260,7 @@ std::vector<WalkSource> partsOf(const WalkSource& source, const LightSurvey::Gro
   }
   if (parts.empty() || group.isGathered())
   {
-    WalkSource gathered{ group.lightsOf(source, Known::Gathered), source.plan, CellPart{} };
+    WalkSource gathered{ group.lightsOf(source, Known::Gathered), source.plan, kStaticPart };
     gathered.lamps = group.lamps;
     gathered.walksPerSample = group.walksPerSample;
     gathered.fewest = fewestSamples.atVariance(group.variance);
@@ -314,9 +314,9 @@ std::vector<WalkSource> directSourcesOf(const SceneObjects& objects,
       all.back().quantaPerStart = std::max<std::int64_t>(1,
         std::llround(LightSurvey::powerOfStart(reflected) *
           static_cast<double>(source.lights.quantaPerWalk())));
-      all.back().fewest = part.isStatic() ? fewestSamples.asMany() : source.fewest;
+      all.back().fewest = part == kStaticPart ? fewestSamples.asMany() : source.fewest;
       all.back().firstWalk = end;
-      end += part.isStatic() ? ofStatic : (share - ofStatic) / std::max(1u, others);
+      end += part == kStaticPart ? ofStatic : (share - ofStatic) / std::max(1u, others);
     }
   }
   return all;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Walks/WalkSet.h"
 
-#include "Execution/SlicedPass.h"
 #include "Shooting/StoredRays.h"
 
 #include <algorithm>
@@ -43,14 +42,14 @@ void WalkSet::start(const Frame& frame, Execution& execution)
   }
   blocks_ = dealt(execution.ranks(), settings_.allOnEachRank);
   gathered_.reset();
-  FinalGatherers gatherers;
+  CellPart gatherers;
   areCellsRenumbered_ = false;
   if (source_.cells && !lights().isEmpty())
   {
     gathered_ = std::make_unique<DirectRounds>(
       DirectGather::Settings{ *source_.cells, source_.plan.replicates().count(), source_.firstWalk,
         source_.quantaPerStart, source_.walksPerSample, source_.fewest, settings_.seed });
-    gatherers = { source_.cells->first, source_.cells->end };
+    gatherers = *source_.cells;
   }
   sums_ = CellSums(frame.objects, plan(), 0, gatherers);
   const int bands = frame.objects.staticObject.material->bands;
@@ -309,7 +308,8 @@ bool WalkSet::hasMovedCells(const std::vector<bool>& moved) const
 {
   const auto at = [&](std::uint32_t object) { return moved.begin() + (object - 1); };
   return source_.isDynamic() &&
-    std::find(at(source_.cells->first), at(source_.cells->end), true) != at(source_.cells->end);
+    std::find(at(source_.cells->first), at(source_.cells->second), true) !=
+    at(source_.cells->second);
 }
 
 void WalkSet::followGathered(const Frame& frame, Execution& execution)

@@ -163,7 +163,7 @@ void WalkSets::sumUp(const SceneObjects& objects, Execution& execution)
   const CellSums& any = sets_.front().sums();
   const bool doGather = std::any_of(
     sets_.begin(), sets_.end(), [](const WalkSet& set) { return set.gathered() != nullptr; });
-  const FinalGatherers gatherers{ 0, doGather ? objects.size() : 0 };
+  const CellPart gatherers{ 0, doGather ? objects.size() : 0 };
   Total total{ CellSums(objects, plan_, 0, gatherers), {}, CellSums(objects), staleOfSets(),
     statisticsOfSets() };
   total.sums.setRounds(any.rounds(), cancelPoint);
