@@ -178,14 +178,10 @@ void IrradianceEngine::collectPhotons(Execution& execution)
     return;
   }
   auto photons = std::make_unique<LeafPhotons>(objects());
-  const auto count = static_cast<double>(walks_.sets().size());
-  double done = 0;
-  for (const WalkSet& set : walks_.sets())
-  {
-    ProgressSpan part(execution, done / count, (done + 1) / count);
-    photons->add(set.history(), 0, set.history().size(), part);
-    ++done;
-  }
+  inParts(walks_.sets().size(), execution, [&](std::size_t i, Execution& part) {
+    const WalkHistory& history = walks_.sets()[i].history();
+    photons->add(history, 0, history.size(), part);
+  });
   photons_ = std::move(photons);
 }
 

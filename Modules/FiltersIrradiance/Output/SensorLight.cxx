@@ -2,7 +2,7 @@
 #include "Output/SensorLight.h"
 
 #include "Data/ArrayNames.h"
-#include "Execution/SlicedPass.h"
+#include "Execution/Execution.h"
 #include "IrradianceEngine.h"
 #include "Photons/NearestPhotons.h"
 #include "Pipeline/WalkMemory.h"

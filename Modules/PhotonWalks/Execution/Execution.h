@@ -10,7 +10,10 @@
 #include <cstddef>
 #include <exception>
 #include <functional>
+#include <memory>
 #include <mutex>
+#include <utility>
+#include <vector>
 
 namespace irradiance
 {
@@ -111,6 +114,19 @@ private:
   double from_, to_;
 };
 
+/// Calls work(i, execution) for i in [0, parts), each with an equal part of the progress.
+template <class Work>
+void inParts(std::size_t parts, Execution& execution, const Work& work)
+{
+  const auto count = static_cast<double>(parts);
+  for (std::size_t i = 0; i < parts; ++i)
+  {
+    const auto number = static_cast<double>(i);
+    ProgressSpan span(execution, number / count, (number + 1) / count);
+    work(i, span);
+  }
+}
+
 /// Time that several threads may spend on items whose cost is only learnt by doing them.
 class TimeBudget
 {
@@ -159,6 +175,51 @@ private:
   mutable std::mutex mutex_;
   double spent_ = 0;
   double items_ = 0;
+};
+
+/// Works on units with the threads of an execution, cut into slices of 30 ms, between which it
+/// reports progress from 0 to 1 and may be interrupted. The result does not depend on the cuts.
+/// `work` works on a unit until it is done or its slice is over; returns whether it is done. Throws
+/// Interrupted, and what `work` throws.
+void runSliced(std::size_t units, Execution& execution,
+  const std::function<bool(std::size_t unit, const std::function<bool()>& hasToStop)>& work);
+
+/// The same for small units, each done at once: work(unit).
+template <class Work>
+void forEachSliced(std::size_t units, Execution& execution, const Work& work)
+{
+  runSliced(units, execution, [&](std::size_t unit, const auto&) {
+    work(unit);
+    return true;
+  });
+}
+
+/// Things that own much memory, to be used again by any thread: one at a time for each.
+template <class Thing>
+class Pool
+{
+public:
+  /// As it was given back, or new.
+  std::unique_ptr<Thing> take()
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (things_.empty())
+    {
+      return std::make_unique<Thing>();
+    }
+    std::unique_ptr<Thing> thing = std::move(things_.back());
+    things_.pop_back();
+    return thing;
+  }
+  void giveBack(std::unique_ptr<Thing> thing)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    things_.push_back(std::move(thing));
+  }
+
+private:
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Thing>> things_;
 };
 
 }

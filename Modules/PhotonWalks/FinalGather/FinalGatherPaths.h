@@ -2,7 +2,7 @@
 #ifndef irradiance_FinalGatherPaths_h
 #define irradiance_FinalGatherPaths_h
 
-#include "Execution/Pool.h"
+#include "Execution/Execution.h"
 #include "FinalGather/FinalGatherScene.h"
 #include "FinalGather/FollowedPaths.h"
 #include "FinalGather/PathLights.h"

@@ -27,8 +27,8 @@ std::string numbersOf(const SceneCell& cell);
 
 /// What is wrong with a point light that specular cells reflect, and what may be done; empty if
 /// there is none. A path meets no point, and the sums of walks do not tell what came by way of
-/// which reflection: so no final gather knows that light. `gather`: what does not know it. `nameOf`:
-/// names a cell for the user.
+/// which reflection: so no final gather knows that light. `gather`: what does not know it.
+/// `nameOf`: names a cell for the user.
 std::string unseenLight(const SceneObjects& objects, const std::string& gather,
   const std::function<std::string(const SceneCell&)>& nameOf = numbersOf);
 

@@ -81,7 +81,7 @@ double medianOf(std::vector<double>& values)
   return *middle;
 }
 
-/// Where most surfaces are: a middle, and a distance within which half of them lie, along each axis.
+/// Where most surfaces are: a middle, and a distance within which half of them lie on each axis.
 std::pair<Vector3, double> middleOf(const std::vector<Vector3>& points)
 {
   Vector3 center = Vector3::Zero();

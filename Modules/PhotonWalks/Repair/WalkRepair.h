@@ -2,8 +2,7 @@
 #ifndef irradiance_WalkRepair_h
 #define irradiance_WalkRepair_h
 
-#include "Execution/Pool.h"
-#include "Execution/SlicedPass.h"
+#include "Execution/Execution.h"
 #include "Repair/StaleWalks.h"
 #include "Repair/WalkVerifier.h"
 #include "Shooting/WalkBatch.h"

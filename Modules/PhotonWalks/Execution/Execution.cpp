@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Execution/SlicedPass.h"
+#include "Execution/Execution.h"
 
 #include <algorithm>
 #include <mutex>
