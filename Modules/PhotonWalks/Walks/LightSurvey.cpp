@@ -12,6 +12,7 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace irradiance
@@ -67,11 +68,9 @@ LightSurvey::Group groupOf(
   group.lamps = std::make_shared<const LampPieces>(gathered);
   const DirectPilot pilot(objects, *group.lamps);
   group.variance = pilot.variance();
-  const DirectPilot::Sampling sampling = pilot.best(
+  std::tie(group.walksPerSample, group.cost) = pilot.best(
     hits.arrived() / source.lights.flux(), hits.returned(), LightSurvey::powerOfStart(reflected));
-  group.cost = sampling.cost;
-  group.areHardToFind = sampling.cost >= 1;
-  group.walksPerSample = sampling.walksPerSample;
+  group.areHardToFind = group.cost >= 1;
   if (group.areHardToFind)
   {
     std::replace(group.known.begin(), group.known.end(), Known::Gathered, Known::Shot);
