@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Execution/Execution.h"
 
-#include <algorithm>
-#include <mutex>
-#include <vector>
-
 namespace irradiance
 {
 
