@@ -3,7 +3,6 @@
 
 #include "Data/ArrayNames.h"
 #include "Estimates/AutomaticChoice.h"
-#include "Execution/ProgressSpan.h"
 #include "FinalGather/PathLights.h"
 #include "Input/ChosenArrays.h"
 #include "Input/SceneAdvice.h"
@@ -269,11 +268,10 @@ public:
     {
       vtkWarningWithObjectMacro(this->Filter, << warning);
     }
-    const bool gathers = settings.cellEstimate == irradiance::CellEstimate::Gathered;
-    if (const auto unseen = gathers ? irradiance::unseenLight(this->Scene.objects()) : std::nullopt)
+    if (settings.cellEstimate == irradiance::CellEstimate::Gathered)
     {
-      throw irradiance::InputError(unseen->message("Method Gathered",
-        this->Scene.nameOf(unseen->light, inputs), this->Scene.nameOf(unseen->specular, inputs)));
+      irradiance::checkLights(this->Scene.objects(), "Method Gathered",
+        [&](const auto& cell) { return this->Scene.nameOf(cell, inputs); });
     }
     const irradiance::LeftToScene left{ this->Filter->GetDirectLight() == AutomaticDirectLight,
       this->Filter->GetCellEstimate() == AutomaticEstimate };

@@ -3,7 +3,7 @@
 
 #include "Data/ArrayNames.h"
 #include "Data/LeafData.h"
-#include "Execution/SlicedPass.h"
+#include "Execution/Execution.h"
 #include "Output/EmptyPiece.h"
 #include "Output/LightArrays.h"
 #include "Pipeline/FilterRun.h"

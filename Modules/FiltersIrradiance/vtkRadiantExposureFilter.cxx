@@ -2,7 +2,6 @@
 #include "vtkRadiantExposureFilter.h"
 
 #include "Data/NamedArray.h"
-#include "Execution/ProgressSpan.h"
 #include "Output/EmptyPiece.h"
 #include "Pipeline/ControllerRanks.h"
 #include "Pipeline/FilterRun.h"

@@ -3,9 +3,6 @@
 
 #include "AgreedChange.h"
 #include "Estimates/AutomaticChoice.h"
-#include "Estimates/TargetLever.h"
-#include "Execution/ProgressSpan.h"
-#include "Execution/Stopwatch.h"
 #include "FinalGather/PathLights.h"
 
 #include <algorithm>
@@ -181,14 +178,10 @@ void IrradianceEngine::collectPhotons(Execution& execution)
     return;
   }
   auto photons = std::make_unique<LeafPhotons>(objects());
-  const auto count = static_cast<double>(walks_.sets().size());
-  double done = 0;
-  for (const WalkSet& set : walks_.sets())
-  {
-    ProgressSpan part(execution, done / count, (done + 1) / count);
-    photons->add(set.history(), 0, set.history().size(), part);
-    ++done;
-  }
+  inParts(walks_.sets().size(), execution, [&](std::size_t i, Execution& part) {
+    const WalkHistory& history = walks_.sets()[i].history();
+    photons->add(history, 0, history.size(), part);
+  });
   photons_ = std::move(photons);
 }
 
@@ -220,9 +213,9 @@ void IrradianceEngine::follow(Execution& execution)
   const bool hasMoved = hasMotion(frame_.moved);
   if (hasMoved)
   {
-    const Stopwatch stopwatch;
+    const double start = steadySeconds();
     commitScene(execution);
-    statistics_.verifySeconds = stopwatch.seconds();
+    statistics_.verifySeconds = steadySeconds() - start;
   }
   if (walks_.isEmpty() || !(hasMoved || walks_.hasStale()))
   {
@@ -234,12 +227,12 @@ void IrradianceEngine::follow(Execution& execution)
   }
   PhotonChanges changes;
   walks_.follow(frame_, photons_ ? &changes : nullptr, execution);
-  const Stopwatch stopwatch;
+  const double start = steadySeconds();
   if (photons_)
   {
     photons_->apply(objects(), walks_.histories(), changes, execution);
   }
-  statistics_.repairSeconds = stopwatch.seconds();
+  statistics_.repairSeconds = steadySeconds() - start;
 }
 
 void IrradianceEngine::shootRound(std::size_t round, Execution& execution)

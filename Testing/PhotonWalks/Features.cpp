@@ -247,7 +247,7 @@ View bySensors()
     const SensorFinalGather gather(*engine, 16, asking.execution);
     for (std::size_t i = 0; i < sensors.size(); ++i)
     {
-      EXPECT_TRUE(areSame(gather.at(sensors, { i }), { lights[i] }));
+      EXPECT_TRUE(areSame(lightsAt(gather, sensors, { i }), { lights[i] }));
     }
   };
 }

@@ -144,13 +144,25 @@ bool areSame(const std::vector<Light>& a, const std::vector<Light>& b)
 /// Of a sensor, where another number would do.
 constexpr std::uint32_t kRays = 64;
 
+/// At the sensors of these numbers.
+inline std::vector<SensorFinalGather::Light> lightsAt(const SensorFinalGather& gather,
+  const std::vector<Sensor>& sensors, const std::vector<std::size_t>& numbers)
+{
+  SensorFinalGather::Rays rays;
+  std::int64_t cast = 0;
+  const auto found = gather.update(sensors, numbers, nullptr, rays, cast);
+  std::vector<SensorFinalGather::Light> lights(found.size());
+  std::transform(found.begin(), found.end(), lights.begin(), SensorFinalGather::lightOf);
+  return lights;
+}
+
 inline std::vector<SensorFinalGather::Light> gathered(
   const IrradianceEngine& engine, const std::vector<Sensor>& sensors, std::uint32_t rays = kRays)
 {
   Execution serial;
   std::vector<std::size_t> numbers(sensors.size());
   std::iota(numbers.begin(), numbers.end(), std::size_t{ 0 });
-  return SensorFinalGather(engine, rays, serial).at(sensors, numbers);
+  return lightsAt(SensorFinalGather(engine, rays, serial), sensors, numbers);
 }
 
 inline std::vector<SensorFinalGather::Light> gathered(const SceneObjects& objects,

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Estimates/ErrorEstimate.h"
-#include "Estimates/StudentT.h"
 #include "Kit.h"
 
 namespace irradiance::test

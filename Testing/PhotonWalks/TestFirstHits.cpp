@@ -138,7 +138,7 @@ TEST(NearLights, HaveASourceOfTheirOwn)
   EXPECT_FALSE(sources[0].cells.has_value());
   EXPECT_EQ(sources[0].lights.lights().size(), 4u);
   EXPECT_NEAR(sources[0].lights.flux(), 6, 1e-9);
-  EXPECT_EQ(sources[1].cells, CellPart{});
+  EXPECT_EQ(sources[1].cells, kStaticPart);
   EXPECT_EQ(sources[2].cells, (CellPart{ 1, 2 }));
   for (const std::size_t i : { 1, 2 })
   {
@@ -171,7 +171,7 @@ TEST(NearLights, HaveTheWholeSourceOrNoneOfIt)
   addLamp(far, 2.5, 1, 8);
   const SceneObjects allFar{ far.build(), {} };
   std::vector<WalkSource> expected = sourcesOf(allFar, plan);
-  expected[0].cells = CellPart{};
+  expected[0].cells = kStaticPart;
   // The mean reflectance of the walls is a part of a shot walk's power.
   expected[0].quantaPerStart = gatheredOf(allFar, plan)[0].quantaPerStart;
   expected[0].walksPerSample = gatheredOf(allFar, plan)[0].walksPerSample;
@@ -185,7 +185,7 @@ TEST(NearLights, HaveTheWholeSourceOrNoneOfIt)
   const SceneObjects withWeak{ far.build(), {} };
   const std::vector<WalkSource> sources = gatheredOf(withWeak, few);
   ASSERT_EQ(sources.size(), 1u);
-  EXPECT_EQ(sources[0].cells, CellPart{});
+  EXPECT_EQ(sources[0].cells, kStaticPart);
   EXPECT_EQ(sources[0].lights.lights().size(), 4u);
   EXPECT_TRUE(sources[0].plan == few);
 }

@@ -204,7 +204,7 @@ TEST(DirectPilot, LooksForWhatIsFarAway)
   double before = 0;
   for (const double arrived : { 1e-6, 1e-3, 0.5, 1.0 })
   {
-    const double cost = pilot.best(arrived, 0.5, 0.5).cost;
+    const double cost = pilot.best(arrived, 0.5, 0.5).second;
     EXPECT_GT(cost, before);
     EXPECT_LT(cost, 10 * arrived);
     before = cost;

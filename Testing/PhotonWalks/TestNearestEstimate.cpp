@@ -3,7 +3,7 @@
 #include "Kit.h"
 #include "LambertContour.h"
 #include "Meshes/TriangleInSphere.h"
-#include "Photons/NearestEstimate.h"
+#include "Photons/NearestPhotons.h"
 
 // Irradiance from the nearest photons: what it should be in closed form, also at edges and corners.
 
@@ -50,7 +50,7 @@ TEST(NearestEstimate, AreaAtEdgesAndCorners)
   const Lit lit({ walls.build(), {} }, 1);
   const auto area = [&](const Vector3& position, const Vector3& normal, double radius) {
     const std::optional<Foot> foot = lit.photons->footOf({ position, normal });
-    return foot ? countedArea(*lit.photons, *foot, radius) : 0.0;
+    return foot ? lit.photons->areaWithin(*foot, radius) : 0.0;
   };
   const Vector3 up = Vector3::UnitZ();
   for (const double r : { 0.01, 0.3, 0.9 })
@@ -114,7 +114,7 @@ TEST(NearestEstimate, AreaEqualsThatOfAllTriangles)
         }
       }
     }
-    ASSERT_NEAR(countedArea(*lit.photons, *foot, radius), expected, 1e-10) << i;
+    ASSERT_NEAR(lit.photons->areaWithin(*foot, radius), expected, 1e-10) << i;
     largest = std::max(largest, expected);
   }
   EXPECT_GT(largest, 1);
@@ -266,8 +266,8 @@ TEST(NearestEstimate, StepsEndASurfaceAndBendsDoNot)
     floor.addQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 4, 4, grey(0.5));
     floor.addQuad({ 1, 0, -stepDown }, { 1, 0, slope }, { 0, 1, 0 }, 5, 5, grey(0.5));
     const Lit lit({ floor.build(), {} }, 1);
-    return countedArea(
-      *lit.photons, lit.photons->footOf({ at, Vector3::UnitZ() }).value(), kInfinity);
+    return lit.photons->areaWithin(
+      lit.photons->footOf({ at, Vector3::UnitZ() }).value(), kInfinity);
   };
   for (const Vector3& at : { Vector3(0.9, 0.5, 0), Vector3(0.9, 0.5, 0.002) })
   {
@@ -325,7 +325,7 @@ TEST(NearestEstimate, TheDarkSideOfASheetIsDark)
   const NearestEstimate dark = lit.estimate(below, 50, 0.5);
   EXPECT_EQ(dark.found, 0u);
   EXPECT_TRUE(dark.power.isZero());
-  EXPECT_NEAR(countedArea(*lit.photons, lit.photons->footOf(below).value(), 0.5), M_PI / 4, 1e-12);
+  EXPECT_NEAR(lit.photons->areaWithin(lit.photons->footOf(below).value(), 0.5), M_PI / 4, 1e-12);
   EXPECT_EQ(dark.radius, 0.5);
   EXPECT_EQ(lit.estimate(above, 50).found, 50u);
   // By bands, as the lamp shines.

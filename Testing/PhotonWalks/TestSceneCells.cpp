@@ -103,14 +103,13 @@ TEST(CellParts, HaveEachObjectOnce)
     const std::vector<CellPart> parts = cellParts(objectsOf(dynamic, 10));
     EXPECT_EQ(parts.size(), 1 + std::min<std::size_t>(dynamic, 8)) << dynamic;
     EXPECT_EQ(parts.front(), (CellPart{ 0, 1 }));
-    EXPECT_TRUE(parts.front().isStatic());
+    EXPECT_EQ(parts.front(), kStaticPart);
     std::uint32_t next = 1;
     for (std::size_t i = 1; i < parts.size(); ++i)
     {
-      EXPECT_FALSE(parts[i].isStatic());
       EXPECT_EQ(parts[i].first, next);
-      EXPECT_GT(parts[i].end, parts[i].first);
-      next = parts[i].end;
+      EXPECT_GT(parts[i].second, parts[i].first);
+      next = parts[i].second;
     }
     EXPECT_EQ(next, dynamic + 1);
   }

@@ -2,9 +2,9 @@
 #include "Output/SensorLight.h"
 
 #include "Data/ArrayNames.h"
-#include "Execution/SlicedPass.h"
+#include "Execution/Execution.h"
 #include "IrradianceEngine.h"
-#include "Photons/NearestEstimate.h"
+#include "Photons/NearestPhotons.h"
 #include "Pipeline/WalkMemory.h"
 #include "Views/SensorFinalGather.h"
 

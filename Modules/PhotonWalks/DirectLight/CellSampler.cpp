@@ -4,7 +4,6 @@
 #include "Lights/SeenLight.h"
 #include "Sampling/DirectionSampling.h"
 #include "Sampling/SphericalTriangle.h"
-#include "Sampling/SplitMix.h"
 #include "Sampling/WeightChoice.h"
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 #include "DirectLight/DirectGather.h"
 
 #include "DirectLight/DarkSides.h"
-#include "Sampling/SplitMix.h"
 
 #include <algorithm>
 
@@ -15,8 +14,8 @@ namespace
 CellShapes shapesOf(
   const Frame& frame, const LightTable& lights, CellPart part, const CancelPoint& cancelPoint)
 {
-  CellShapes shapes(frame, part.first, part.end, cancelPoint);
-  if (!part.isStatic())
+  CellShapes shapes(frame, part.first, part.second, cancelPoint);
+  if (part != kStaticPart)
   {
     markDarkSides(shapes, frame, lights);
   }
@@ -43,7 +42,7 @@ std::vector<CellPart> cellParts(const SceneObjects& objects)
   const std::size_t dynamic = objects.dynamicObjects.size();
   const std::size_t parts =
     std::min({ dynamic, kMostDynamic, std::max<std::size_t>(1, kMostCells / cells) });
-  std::vector<CellPart> all(1);
+  std::vector<CellPart> all{ kStaticPart };
   for (std::size_t i = 0; i < parts; ++i)
   {
     all.push_back({ static_cast<std::uint32_t>(1 + i * dynamic / parts),
@@ -74,7 +73,7 @@ DirectGather::DirectGather(
 void DirectGather::addTo(const Totals& totals, int sign, const CancelPoint& cancelPoint) const
 {
   PowerBalance& balance = totals.balance;
-  if (settings_.part.isStatic() && totals.dealt.contains(0))
+  if (settings_.part == kStaticPart && totals.dealt.contains(0))
   {
     for (const Light& light : lamps_.lights().lights())
     {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectLight/DirectLight.h"
 
-#include "Execution/SlicedPass.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>

@@ -109,7 +109,8 @@ DirectPilot::DirectPilot(const SceneObjects& objects, const LampPieces& lamps)
   }
 }
 
-DirectPilot::Sampling DirectPilot::best(double arrived, double returned, double powerOfStart) const
+std::pair<double, double> DirectPilot::best(
+  double arrived, double returned, double powerOfStart) const
 {
   constexpr double kMostReturned = 0.95;
   const double part = std::min(returned, kMostReturned);

@@ -5,6 +5,8 @@
 #include "DirectLight/LampPieces.h"
 #include "Surfaces/SceneObjects.h"
 
+#include <utility>
+
 namespace irradiance
 {
 
@@ -22,16 +24,12 @@ public:
 
   DirectPilot(const SceneObjects& objects, const LampPieces& lamps);
 
-  struct Sampling
-  {
-    double walksPerSample; ///< power that a cell may receive for each of its samples, in walks
-    double
-      cost; ///< noise x time beside walks that start at the lamps: if less than 1 gathering pays
-  };
-  /// With the least noise of direct and indirect light together for the time they take. `arrived`:
-  /// the part of the flux that reaches static cells. `returned`: the part of that which arrives
-  /// again. `powerOfStart`: of a walk that starts at a cell, in walks.
-  Sampling best(double arrived, double returned, double powerOfStart) const;
+  /// The power, in walks, that a cell may receive for each of its samples, with the least noise of
+  /// direct and indirect light together for the time they take; and what that costs: noise x time
+  /// beside walks that start at the lamps; if less than 1 gathering pays. `arrived`: the part of
+  /// the flux that reaches static cells. `returned`: the part of that which arrives again.
+  /// `powerOfStart`: of a walk that starts at a cell, in walks.
+  std::pair<double, double> best(double arrived, double returned, double powerOfStart) const;
 
   /// Of one sample that stands for as much power as a walk, beside the walk's: small of a panel,
   /// large of light that may be hidden, or comes from lamps that are told apart badly.

@@ -2,7 +2,6 @@
 #include "DirectLight/PointDirectLight.h"
 
 #include "Sampling/SobolPoint.h"
-#include "Sampling/SplitMix.h"
 #include "Sampling/WeightChoice.h"
 
 #include <algorithm>

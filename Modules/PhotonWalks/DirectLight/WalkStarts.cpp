@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectLight/WalkStarts.h"
 
-#include "Sampling/SplitMix.h"
-
 #include <algorithm>
 #include <numeric>
 

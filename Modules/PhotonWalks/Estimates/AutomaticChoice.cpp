@@ -107,7 +107,7 @@ void chooseByScene(const LeftToScene& left, const SceneObjects& objects, const S
   if (left.cellEstimate)
   {
     const bool mayRead =
-      walks.gathersDirectLight && !estimate.unbiasedGather && !unseenLight(objects);
+      walks.gathersDirectLight && !estimate.unbiasedGather && unseenLight(objects, {}).empty();
     const std::uint32_t rays =
       mayRead ? raysThatPay(cells, walks.numberOfWalks, estimate.gatherRays) : 0;
     const bool isGathered = rays > 0 &&

@@ -2,7 +2,7 @@
 #ifndef irradiance_CellEstimate_h
 #define irradiance_CellEstimate_h
 
-#include "DirectLight/FewestSamples.h"
+#include "DirectLight/DirectPlan.h"
 
 #include <cstdint>
 #include <memory>

@@ -6,6 +6,7 @@
 #include "Walks/WalkSets.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace irradiance
 {
@@ -86,6 +87,21 @@ private:
   const Frame& frame_;
   const WalkSets& walks_;
 };
+
+/// What may be doubled where a target is missed.
+enum class TargetLever
+{
+  Walks,
+  Rays
+};
+
+/**
+ * The lever that promises more for its time, once the first `rounds` have missed a target; nothing
+ * if none is left that may help. The time is counted, in segments that the lever would add. So the
+ * choice is a pure function of the scene and the settings.
+ */
+std::optional<TargetLever> chooseLever(const TargetMiss& miss, const EstimateRounds& rounds,
+  const WalkSets& walks, const CellEstimator& estimator);
 
 }
 

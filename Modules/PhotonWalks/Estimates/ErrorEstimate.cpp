@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Estimates/ErrorEstimate.h"
 
-#include "Estimates/StudentT.h"
-#include "Execution/SlicedPass.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -36,6 +33,37 @@ double quantileOfArea(const Parts& parts, double area)
   return 0; // nothing has an area
 }
 
+}
+
+/// The finite sums of Abramowitz and Stegun 26.7.3 (odd) and 26.7.4 (even degrees of freedom).
+double studentProbability(double t, int freedom)
+{
+  const double angle = std::atan(t / std::sqrt(static_cast<double>(freedom)));
+  const double sine = std::sin(angle), cosine = std::cos(angle);
+  const bool isOdd = freedom % 2 != 0;
+  double term = isOdd ? cosine : 1, sum = 0;
+  for (int i = isOdd ? 1 : 0; i <= freedom - 2; i += 2)
+  {
+    sum += term;
+    term *= cosine * cosine * (i + 1) / (i + 2);
+  }
+  return isOdd ? 2 / kPi * (angle + sine * sum) : sine * sum;
+}
+
+double studentQuantile(double probability, int freedom)
+{
+  double below = 0, above = 1;
+  while (studentProbability(above, freedom) < probability)
+  {
+    above *= 2;
+  }
+  double middle = 0.5 * above;
+  while (below < middle && middle < above)
+  {
+    (studentProbability(middle, freedom) < probability ? below : above) = middle;
+    middle = 0.5 * (below + above);
+  }
+  return above;
 }
 
 ErrorEstimate::ErrorEstimate(const CellSums& sums, const WalkPlan& plan, std::size_t rounds,

@@ -12,6 +12,12 @@
 namespace irradiance
 {
 
+/// Probability that |T| <= t, with Student's distribution of `freedom` >= 1 degrees; t >= 0.
+double studentProbability(double t, int freedom);
+
+/// The t that |T| does not exceed with `probability`, 0 < probability < 1.
+double studentQuantile(double probability, int freedom);
+
 /// What knows on how many photons estimates of cells draw that are not the cells' own sums.
 class PhotonShares
 {

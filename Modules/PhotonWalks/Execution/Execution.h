@@ -5,13 +5,24 @@
 #include "Execution/Ranks.h"
 #include "Progress/CancelPoint.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <exception>
 #include <functional>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
 
 namespace irradiance
 {
+
+/// The monotonic clock of this machine.
+inline double steadySeconds()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 /// Gives the engine its threads and ranks, and takes its reports of progress. This one is serial,
 /// alone and silent.
@@ -42,12 +53,6 @@ public:
   virtual Ranks& ranks() { return alone_; }
 
 private:
-  static double steadySeconds()
-  {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-  }
-
   Ranks alone_;
 };
 
@@ -75,6 +80,147 @@ inline CancelPoint cancelPointOf(Execution& execution, double progress)
     }
   };
 }
+
+/// A part of the work: its progress 0..1 counts as `from`..`to` of the whole.
+class ProgressSpan : public Execution
+{
+public:
+  /// `whole` must outlive the part.
+  ProgressSpan(Execution& whole, double from, double to)
+    : whole_(whole)
+    , from_(from)
+    , to_(to)
+  {
+  }
+
+  void parallelFor(
+    std::size_t count, const std::function<void(std::size_t, std::size_t)>& task) override
+  {
+    whole_.parallelFor(count, task);
+  }
+
+  bool reportProgress(double progress) override
+  {
+    return whole_.reportProgress(progress == 1 ? to_ : from_ + progress * (to_ - from_));
+  }
+
+  double seconds() const override { return whole_.seconds(); }
+  double slicingSeconds() const override { return whole_.slicingSeconds(); }
+
+  Ranks& ranks() override { return whole_.ranks(); }
+
+private:
+  Execution& whole_;
+  double from_, to_;
+};
+
+/// Calls work(i, execution) for i in [0, parts), each with an equal part of the progress.
+template <class Work>
+void inParts(std::size_t parts, Execution& execution, const Work& work)
+{
+  const auto count = static_cast<double>(parts);
+  for (std::size_t i = 0; i < parts; ++i)
+  {
+    const auto number = static_cast<double>(i);
+    ProgressSpan span(execution, number / count, (number + 1) / count);
+    work(i, span);
+  }
+}
+
+/// Time that several threads may spend on items whose cost is only learnt by doing them.
+class TimeBudget
+{
+public:
+  /// Begins now. `seconds` may be infinite.
+  TimeBudget(const Execution& execution, double seconds)
+    : execution_(execution)
+    , begin_(execution.seconds())
+    , end_(begin_ + seconds)
+  {
+  }
+
+  double now() const { return execution_.seconds(); }
+  double elapsed() const { return now() - begin_; }
+  /// How many items, at most `most`, a thread should begin together: by the mean cost so far they
+  /// take half of the time that is left. 0 if that does not suffice for one.
+  std::size_t itemsToBegin(std::size_t most) const
+  {
+    constexpr std::size_t kToLearn = 16; // while no cost is known
+    const double left = end_ - now();
+    if (!(left > 0))
+    {
+      return 0;
+    }
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (items_ == 0)
+    {
+      return std::min(kToLearn, most);
+    }
+    const double affordable = 0.5 * left * items_;
+    return affordable < static_cast<double>(most) * spent_
+      ? static_cast<std::size_t>(affordable / spent_)
+      : most;
+  }
+  /// Records what items have cost the thread that did them.
+  void spend(double seconds, std::size_t items)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    spent_ += seconds;
+    items_ += static_cast<double>(items);
+  }
+
+private:
+  const Execution& execution_;
+  double begin_, end_;
+  mutable std::mutex mutex_;
+  double spent_ = 0;
+  double items_ = 0;
+};
+
+/// Works on units with the threads of an execution, cut into slices of 30 ms, between which it
+/// reports progress from 0 to 1 and may be interrupted. The result does not depend on the cuts.
+/// `work` works on a unit until it is done or its slice is over; returns whether it is done. Throws
+/// Interrupted, and what `work` throws.
+void runSliced(std::size_t units, Execution& execution,
+  const std::function<bool(std::size_t unit, const std::function<bool()>& hasToStop)>& work);
+
+/// The same for small units, each done at once: work(unit).
+template <class Work>
+void forEachSliced(std::size_t units, Execution& execution, const Work& work)
+{
+  runSliced(units, execution, [&](std::size_t unit, const auto&) {
+    work(unit);
+    return true;
+  });
+}
+
+/// Things that own much memory, to be used again by any thread: one at a time for each.
+template <class Thing>
+class Pool
+{
+public:
+  /// As it was given back, or new.
+  std::unique_ptr<Thing> take()
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (things_.empty())
+    {
+      return std::make_unique<Thing>();
+    }
+    std::unique_ptr<Thing> thing = std::move(things_.back());
+    things_.pop_back();
+    return thing;
+  }
+  void giveBack(std::unique_ptr<Thing> thing)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    things_.push_back(std::move(thing));
+  }
+
+private:
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Thing>> things_;
+};
 
 }
 

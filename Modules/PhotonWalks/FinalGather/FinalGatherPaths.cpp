@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FinalGather/FinalGatherPaths.h"
 
-#include "FinalGather/AreaPoints.h"
 #include "Sampling/DirectionSampling.h"
 #include "Sampling/SobolPoint.h"
 #include "Shooting/WalkStages.h"
@@ -22,6 +21,46 @@ namespace
 /// A path that needs more is in a closed part of the scene that absorbs nothing: it would never
 /// end.
 constexpr std::uint32_t kMostBounces = 1u << 20;
+
+/// Points that fill the area of a cell evenly.
+class AreaPoints
+{
+public:
+  /// `cell`: of the shapes; it has an area.
+  AreaPoints(const CellShapes& shapes, const SceneTriangles& triangles, std::size_t cell)
+  {
+    std::for_each(shapes.begin(cell), shapes.end(cell), [&](std::uint32_t number) {
+      const Triangle triangle = triangleOf(triangles, number);
+      parts_.push_back({ triangle, triangle.area(), triangles.idOf(number) });
+      area_ += parts_.back().area;
+    });
+  }
+
+  /// On the front, with its triangle. `u`: of the unit square.
+  std::pair<SurfacePoint, TriangleId> at(std::array<double, 2> u) const
+  {
+    double before = u[0] * area_;
+    auto part = parts_.begin();
+    while (before >= part->area && part + 1 != parts_.end())
+    {
+      before -= part->area;
+      ++part;
+    }
+    // What the choice left of it. Rounding may lead to a last triangle without area.
+    u[0] = part->area > 0 ? std::clamp(before / part->area, 0x1p-53, 1 - 0x1p-53) : 0.5;
+    return { surfacePoint(part->triangle, sampleTriangle(u)), part->id };
+  }
+
+private:
+  struct Part
+  {
+    Triangle triangle;
+    double area; ///< m2
+    TriangleId id;
+  };
+  std::vector<Part> parts_;
+  double area_ = 0; ///< m2
+};
 
 enum class Use : std::uint64_t
 {

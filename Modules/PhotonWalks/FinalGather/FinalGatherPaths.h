@@ -2,10 +2,10 @@
 #ifndef irradiance_FinalGatherPaths_h
 #define irradiance_FinalGatherPaths_h
 
-#include "Execution/Pool.h"
+#include "Execution/Execution.h"
 #include "FinalGather/FinalGatherScene.h"
 #include "FinalGather/FollowedPaths.h"
-#include "FinalGather/LobeLight.h"
+#include "FinalGather/PathLights.h"
 #include "Surfaces/Absorption.h"
 
 #include <cstdint>

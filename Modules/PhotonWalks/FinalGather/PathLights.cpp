@@ -9,6 +9,18 @@
 namespace irradiance
 {
 
+namespace
+{
+
+/// The power heuristic: the weight of a sample of one density beside those of another, > 0.
+double weightBeside(double density, double other)
+{
+  const double ratio = other / density;
+  return 1 / (1 + ratio * ratio);
+}
+
+}
+
 std::deque<PointDirectLight> lightsOf(const WalkSets& walks, const Frame& frame, std::uint64_t seed,
   std::uint32_t samples, std::size_t mostWeights, bool gathered)
 {
@@ -26,55 +38,81 @@ std::deque<PointDirectLight> lightsOf(const WalkSets& walks, const Frame& frame,
   return lights;
 }
 
-std::optional<UnseenLight> unseenLight(const SceneObjects& objects)
+std::string numbersOf(const SceneCell& cell)
 {
-  UnseenLight unseen{};
-  bool hasLight = false, hasSpecular = false;
-  for (std::uint32_t i = 0; i < objects.size() && !(hasLight && hasSpecular); ++i)
+  return "object " + std::to_string(cell.object) + ", cell " + std::to_string(cell.cell);
+}
+
+std::string unseenLight(const SceneObjects& objects, const std::string& gather,
+  const std::function<std::string(const SceneCell&)>& nameOf)
+{
+  std::string light, specular; // the first ones
+  for (std::uint32_t i = 0; i < objects.size() && (light.empty() || specular.empty()); ++i)
   {
     const SceneObject& object = objects[i];
-    if (!hasLight && object.isPresent && object.emits() && !object.emission->points.empty())
+    if (light.empty() && object.isPresent && object.emits() && !object.emission->points.empty())
     {
       const PointSource& point = object.emission->points.front();
-      hasLight = true;
-      unseen.light = { i, point.cell };
-      unseen.flux = std::accumulate(point.flux.begin(), point.flux.end(), 0.0);
+      light = nameOf({ i, point.cell }) + ": a point light of " +
+        text(std::accumulate(point.flux.begin(), point.flux.end(), 0.0)) + " W";
     }
     const Material& material = *object.material;
-    const bool mayReflect = !hasSpecular && !object.isEmpty() && material.isSpecular();
-    for (std::size_t cell = 0; mayReflect && !hasSpecular && cell < material.numberOfCells; ++cell)
+    const bool mayReflect = !object.isEmpty() && material.isSpecular();
+    for (std::size_t cell = 0; mayReflect && specular.empty() && cell < material.numberOfCells;
+         ++cell)
     {
       if (material.isSpecular(cell))
       {
         const auto first =
           material.specularReflectance.begin() + static_cast<std::ptrdiff_t>(cell) * material.bands;
-        hasSpecular = true;
-        unseen.specular = { i, cell };
-        unseen.reflectance = *std::max_element(first, first + material.bands);
+        specular = nameOf({ i, cell }) + " has the specular reflectance " +
+          text(*std::max_element(first, first + material.bands));
       }
     }
   }
-  return hasLight && hasSpecular ? std::optional(unseen) : std::nullopt;
+  return light.empty() || specular.empty() ? std::string()
+                                           : light + ", and " + specular + ": " + gather +
+      " does not know how specular cells reflect the light of points: make them area "
+      "lights, or choose another method";
 }
 
-std::string UnseenLight::message(
-  const std::string& gather, const std::string& lightName, const std::string& specularName) const
+void checkLights(const SceneObjects& objects, const std::string& gather,
+  const std::function<std::string(const SceneCell&)>& nameOf)
 {
-  return lightName + ": a point light of " + text(flux) + " W, and " + specularName +
-    " has the specular reflectance " + text(reflectance) + ": " + gather +
-    " does not know how specular cells reflect the light of points: make them area "
-    "lights, or choose another method";
-}
-
-void checkLights(const SceneObjects& objects, const std::string& gather)
-{
-  const auto nameOf = [](const SceneCell& cell) {
-    return "object " + std::to_string(cell.object) + ", cell " + std::to_string(cell.cell);
-  };
-  if (const std::optional<UnseenLight> unseen = unseenLight(objects))
+  if (const std::string unseen = unseenLight(objects, gather, nameOf); !unseen.empty())
   {
-    throw InputError(unseen->message(gather, nameOf(unseen->light), nameOf(unseen->specular)));
+    throw InputError(unseen);
   }
+}
+
+Bands lobeLight(const FinalGatherScene& scene, const PathVertex& from, const PhongLobe& lobe,
+  std::uint64_t number, std::uint32_t share)
+{
+  const Vector3& normal = from.point.normal;
+  const PointDirectLight::Part part = [&](const Vector3& along, double density) {
+    const Vector3 toLight = -along.normalized();
+    const double ofLobe = lobe.value(normal, toLight, -from.incoming) * toLight.dot(normal);
+    return ofLobe > 0 ? kPi * ofLobe * weightBeside(density, ofLobe) : 0;
+  };
+  Bands sum{};
+  for (const PointDirectLight& lights : scene.lights)
+  {
+    sum += lights.taken(from.point, part, number, share);
+  }
+  return sum;
+}
+
+double lampWeight(const FinalGatherScene& scene, const Ray& ray, double density,
+  const TriangleId& lamp, const Vector3& place)
+{
+  const Vector3 front = scene.frame.scene.worldTriangle(ray.start).areaVector().normalized();
+  const Vector3 normal = front.dot(ray.direction) > 0 ? front : Vector3(-front);
+  double asked = 0;
+  for (const PointDirectLight& lights : scene.lights)
+  {
+    asked += lights.density({ ray.origin, normal, ray.start }, lamp, place);
+  }
+  return asked > 0 ? weightBeside(density, asked) : 1;
 }
 
 }

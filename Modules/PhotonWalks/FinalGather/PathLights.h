@@ -2,12 +2,12 @@
 #ifndef irradiance_PathLights_h
 #define irradiance_PathLights_h
 
-#include "DirectLight/PointDirectLight.h"
+#include "FinalGather/FinalGatherScene.h"
 #include "Walks/WalkSets.h"
 
 #include <cstdint>
 #include <deque>
-#include <optional>
+#include <functional>
 #include <string>
 
 namespace irradiance
@@ -22,25 +22,44 @@ constexpr std::uint32_t kSamplesOfHit = 4;
 std::deque<PointDirectLight> lightsOf(const WalkSets& walks, const Frame& frame, std::uint64_t seed,
   std::uint32_t samples, std::size_t mostWeights = LampChoice::kMost, bool gathered = false);
 
-/// A point light that specular cells reflect. A path meets no point, and the sums of walks do not
-/// tell what came by way of which reflection: so no final gather knows that light.
-struct UnseenLight
-{
-  SceneCell light, specular;
-  double flux;        ///< of the light, W, all bands together
-  double reflectance; ///< specular, of the most reflecting band
+/// "object 1, cell 2".
+std::string numbersOf(const SceneCell& cell);
 
-  /// What is wrong, and what may be done. `gather`: what does not know the light. The cells are
-  /// named as they are here.
-  std::string message(
-    const std::string& gather, const std::string& lightName, const std::string& specularName) const;
-};
-
-/// The first ones; nothing if there are none.
-std::optional<UnseenLight> unseenLight(const SceneObjects& objects);
+/// What is wrong with a point light that specular cells reflect, and what may be done; empty if
+/// there is none. A path meets no point, and the sums of walks do not tell what came by way of
+/// which reflection: so no final gather knows that light. `gather`: what does not know it.
+/// `nameOf`: names a cell for the user.
+std::string unseenLight(const SceneObjects& objects, const std::string& gather,
+  const std::function<std::string(const SceneCell&)>& nameOf = numbersOf);
 
 /// Throws InputError for an unseenLight().
-void checkLights(const SceneObjects& objects, const std::string& gather);
+void checkLights(const SceneObjects& objects, const std::string& gather,
+  const std::function<std::string(const SceneCell&)>& nameOf = numbersOf);
+
+/// A point from which light is reflected to where a path comes from.
+struct PathVertex
+{
+  LitPoint point;   ///< on the side of the path
+  Vector3 incoming; ///< unit vector, along the path
+};
+
+/**
+ * The light that a lobe reflects straight from the lights is looked for in two ways: along the
+ * lobe, where a ray may meet a lamp, and by asking the lights. What one finds easily the other does
+ * not: narrow lobes, small lamps. Both together have the power heuristic of Veach and Guibas
+ * (1995), so that nothing counts twice. Points in the air are asked alone; lamps in the same place
+ * as the face are met alone.
+ */
+
+/// pi times the radiance, W/m2/sr, of what the lights bring, by asking them, for a specular
+/// reflectance of 1. `number` and `share`: see PointDirectLight::taken().
+Bands lobeLight(const FinalGatherScene& scene, const PathVertex& from, const PhongLobe& lobe,
+  std::uint64_t number, std::uint32_t share);
+
+/// The weight of a lamp that a ray meets at a place. `density`: of its direction, 1/sr, where it
+/// left a lobe.
+double lampWeight(const FinalGatherScene& scene, const Ray& ray, double density,
+  const TriangleId& lamp, const Vector3& place);
 
 }
 

@@ -81,33 +81,23 @@ double medianOf(std::vector<double>& values)
   return *middle;
 }
 
-/// Where most surfaces are: within `spread` of the middle lies half of them, along each axis.
-struct Middle
+/// Where most surfaces are: a middle, and a distance within which half of them lie on each axis.
+std::pair<Vector3, double> middleOf(const std::vector<Vector3>& points)
 {
   Vector3 center = Vector3::Zero();
   double spread = 0;
-
-  explicit Middle(const std::vector<Vector3>& points)
+  std::vector<double> values(points.size());
+  for (int axis = 0; axis < 3 && !points.empty(); ++axis)
   {
-    std::vector<double> values(points.size());
-    for (int axis = 0; axis < 3 && !points.empty(); ++axis)
-    {
-      std::transform(points.begin(), points.end(), values.begin(),
-        [&](const Vector3& point) { return point[axis]; });
-      center[axis] = medianOf(values);
-      std::transform(values.begin(), values.end(), values.begin(),
-        [&](double value) { return std::abs(value - center[axis]); });
-      spread = std::max(spread, medianOf(values));
-    }
+    std::transform(points.begin(), points.end(), values.begin(),
+      [&](const Vector3& point) { return point[axis]; });
+    center[axis] = medianOf(values);
+    std::transform(values.begin(), values.end(), values.begin(),
+      [&](double value) { return std::abs(value - center[axis]); });
+    spread = std::max(spread, medianOf(values));
   }
-
-  Box within(double spreads) const
-  {
-    Box box{ center, center };
-    box.inflate(spreads * spread);
-    return box;
-  }
-};
+  return { center, spread };
+}
 
 bool isWithin(const Box& inner, const Box& outer, int axis)
 {
@@ -141,9 +131,11 @@ PointGrid::PointGrid(const Box& box)
 PointGrid pointGrid(const SceneObjects& objects, const Box& bounds, const CancelPoint& cancelPoint)
 {
   constexpr double kNear = 32, kInner = 16;
-  const Middle middle(pointsOnSurfaces(objects, cancelPoint));
-  const Box near = middle.within(kNear), inner = middle.within(kInner);
-  if (!(middle.spread > 0) || isWithin(bounds, near))
+  const auto [center, spread] = middleOf(pointsOnSurfaces(objects, cancelPoint));
+  Box near{ center, center }, inner = near;
+  near.inflate(kNear * spread);
+  inner.inflate(kInner * spread);
+  if (!(spread > 0) || isWithin(bounds, near))
   {
     return PointGrid(bounds);
   }

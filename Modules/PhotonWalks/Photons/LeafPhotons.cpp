@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Photons/LeafPhotons.h"
 
-#include "Execution/ProgressSpan.h"
-#include "Execution/SlicedPass.h"
-
 #include <algorithm>
 #include <array>
 #include <functional>

@@ -56,7 +56,7 @@ bool StaleWalks::isEmpty() const
       blocks_.begin(), blocks_.end(), [](const Block& block) { return block.marks.empty(); });
 }
 
-std::vector<PowerClass> StaleWalks::classes(std::size_t enough) const
+std::vector<std::pair<std::uint16_t, std::size_t>> StaleWalks::classes(std::size_t enough) const
 {
   std::map<std::uint16_t, std::size_t, std::greater<>> counts;
   for (const Block& block : blocks_)
@@ -66,15 +66,15 @@ std::vector<PowerClass> StaleWalks::classes(std::size_t enough) const
       ++counts[mark.powerClass];
     }
   }
-  std::vector<PowerClass> classes;
+  std::vector<std::pair<std::uint16_t, std::size_t>> classes;
   for (const auto& [powerClass, count] : counts)
   {
-    if (classes.empty() || classes.back().size >= enough)
+    if (classes.empty() || classes.back().second >= enough)
     {
-      classes.push_back({ powerClass, 0 });
+      classes.emplace_back(powerClass, 0);
     }
-    classes.back().weakest = powerClass;
-    classes.back().size += count;
+    classes.back().first = powerClass;
+    classes.back().second += count;
   }
   return classes;
 }

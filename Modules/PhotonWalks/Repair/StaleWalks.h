@@ -35,13 +35,6 @@ inline bool isStale(const StaleMarks& marks, const SegmentRef& segment)
   return found != marks.end() && found->walk == segment.walk && segment.bounce >= found->bounce;
 }
 
-/// Walks whose stale segments carry similar power.
-struct PowerClass
-{
-  std::uint16_t weakest; ///< StaleMark::powerClass
-  std::size_t size;
-};
-
 /**
  * The stored walks that await repair, the power that their stale tails brought to the cells, and a
  * bound of what their new tails can bring. All in quanta, exact at any time. Several threads may
@@ -58,8 +51,10 @@ public:
   StaleMarks& marks(std::size_t block) { return blocks_[block].marks; }
   const StaleMarks& marks(std::size_t block) const { return blocks_[block].marks; }
 
-  /// All marked walks, the strongest first; each class but the last has at least `enough`.
-  std::vector<PowerClass> classes(std::size_t enough) const;
+  /// All marked walks, by classes whose stale segments carry similar power, the strongest first:
+  /// the weakest StaleMark::powerClass of each, and how many walks it has. Each but the last has at
+  /// least `enough`.
+  std::vector<std::pair<std::uint16_t, std::size_t>> classes(std::size_t enough) const;
 
   /// Marks the first stale segments of walks of a block, ordered by walk, as a verification found
   /// them. It must have skipped the tails that were marked before.

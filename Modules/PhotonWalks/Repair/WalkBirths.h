@@ -2,9 +2,7 @@
 #ifndef irradiance_WalkBirths_h
 #define irradiance_WalkBirths_h
 
-#include "Execution/Pool.h"
-#include "Execution/SlicedPass.h"
-#include "Execution/TimeBudget.h"
+#include "Execution/Execution.h"
 #include "Shooting/WalkBatch.h"
 
 #include <atomic>

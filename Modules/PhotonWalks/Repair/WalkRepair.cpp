@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/WalkRepair.h"
 
-#include "Execution/ProgressSpan.h"
-#include "Execution/Stopwatch.h"
-
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -60,21 +57,21 @@ void WalkRepair::verifyAndRepair(Execution& execution)
       if (!open[unit])
       {
         open[unit] = take();
-        const Stopwatch stopwatch;
+        const double start = steadySeconds();
         state_.verifier.find(first, end, {}, open[unit]->verifier, open[unit]->batch.front());
-        const double seconds = stopwatch.seconds();
+        const double seconds = steadySeconds() - start;
         const std::lock_guard<std::mutex> lock(mutex_);
         figures_.verifySeconds += seconds;
         figures_.invalidWalks += static_cast<std::int64_t>(open[unit]->batch.front().size);
       }
-      const Stopwatch stopwatch;
+      const double start = steadySeconds();
       const bool isDone = shoot(*open[unit], hasToStop);
       if (isDone)
       {
         finish(open[unit]);
       }
       const std::lock_guard<std::mutex> lock(mutex_);
-      figures_.repairSeconds += stopwatch.seconds();
+      figures_.repairSeconds += steadySeconds() - start;
       return isDone;
     });
 }
@@ -116,22 +113,21 @@ void WalkRepair::repair(StaleWalks& stale, TimeBudget* budget, Execution& execut
   // the only one.
   constexpr std::size_t kForAUnit = 128;
   const std::size_t enough = kForAUnit * std::min(kUnits, state_.history.size());
-  const std::vector<PowerClass> order =
-    stale.classes(budget ? enough : std::numeric_limits<std::size_t>::max());
+  const auto classes = stale.classes(budget ? enough : std::numeric_limits<std::size_t>::max());
   double all = 0, done = 0;
-  for (const PowerClass& like : order)
+  for (const auto& [weakest, walks] : classes)
   {
-    all += static_cast<double>(like.size);
+    all += static_cast<double>(walks);
   }
-  for (const PowerClass& like : order)
+  for (const auto& [weakest, walks] : classes)
   {
     if (hasBegun_ && budget && budget->itemsToBegin(1) == 0)
     {
       break;
     }
-    std::vector<Unit> parts = units(stale, like);
+    std::vector<Unit> parts = units(stale, weakest, walks);
     const double from = done / all;
-    done += static_cast<double>(like.size);
+    done += static_cast<double>(walks);
     ProgressSpan span(execution, from, done / all);
     runSliced(parts.size(), span, [&](std::size_t i, const auto& hasToStop) {
       return work(parts[i], stale, budget, hasToStop);
@@ -145,9 +141,10 @@ void WalkRepair::repair(StaleWalks& stale, TimeBudget* budget, Execution& execut
 
 /// A block has few stale walks. So walks of several blocks are shot together, as long as that
 /// leaves enough units for all threads.
-std::vector<WalkRepair::Unit> WalkRepair::units(StaleWalks& stale, const PowerClass& like) const
+std::vector<WalkRepair::Unit> WalkRepair::units(
+  StaleWalks& stale, std::uint16_t weakest, std::size_t walks) const
 {
-  const std::size_t together = std::max<std::size_t>(std::min(like.size / kUnits, kBatchSize), 1);
+  const std::size_t together = std::max<std::size_t>(std::min(walks / kUnits, kBatchSize), 1);
   std::vector<Unit> units;
   for (std::size_t block = 0; block < state_.history.size(); ++block)
   {
@@ -157,7 +154,7 @@ std::vector<WalkRepair::Unit> WalkRepair::units(StaleWalks& stale, const PowerCl
     }
     for (StaleMark& mark : stale.marks(block))
     {
-      if (mark.powerClass >= like.weakest) // no stronger class is left
+      if (mark.powerClass >= weakest) // no stronger class is left
       {
         units.back().marks.push_back(&mark);
       }

@@ -2,9 +2,7 @@
 #ifndef irradiance_WalkRepair_h
 #define irradiance_WalkRepair_h
 
-#include "Execution/Pool.h"
-#include "Execution/SlicedPass.h"
-#include "Execution/TimeBudget.h"
+#include "Execution/Execution.h"
 #include "Repair/StaleWalks.h"
 #include "Repair/WalkVerifier.h"
 #include "Shooting/WalkBatch.h"
@@ -79,7 +77,7 @@ public:
 private:
   struct Unit;
 
-  std::vector<Unit> units(StaleWalks& stale, const PowerClass& like) const;
+  std::vector<Unit> units(StaleWalks& stale, std::uint16_t weakest, std::size_t walks) const;
   bool work(
     Unit& unit, StaleWalks& stale, TimeBudget* budget, const std::function<bool()>& hasToStop);
   /// The next walks of a unit; null if there are none or the time is up.

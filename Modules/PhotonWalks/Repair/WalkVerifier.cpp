@@ -72,8 +72,7 @@ void WalkVerifier::choose(Memory& memory, const IsChosen& isChosen, WalkFront& s
       {
         if (isChosen(*fronts[i], next[i]))
         {
-          memory.chosen.push_back(
-            { static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(next[i]) });
+          memory.chosen.emplace_back(i, next[i]);
         }
       }
     }
@@ -81,8 +80,8 @@ void WalkVerifier::choose(Memory& memory, const IsChosen& isChosen, WalkFront& s
   stale.pick(fronts, memory.chosen);
   for (std::size_t i = 0; cachesStaticHits_ && i < memory.chosen.size(); ++i)
   {
-    const Suspects& from = *suspects[memory.chosen[i].front];
-    const std::uint32_t row = memory.chosen[i].row;
+    const auto [front, row] = memory.chosen[i];
+    const Suspects& from = *suspects[front];
     memory.hidden.push_back(isDynamic(from.rows.hit[row]) ? from.known[row] : HiddenHit{});
   }
 }
@@ -113,7 +112,6 @@ void WalkVerifier::find(std::size_t first, std::size_t end,
     sort(block, memory.slots[block - first], known.empty() ? nullptr : known[block], firstStale,
       memory);
   }
-  findRays(memory);
   suspects_ += static_cast<std::int64_t>(
     memory.blocked.rows.size + memory.lost.rows.size + memory.uncovered.rows.size);
   cast(memory, false);
@@ -136,7 +134,6 @@ void WalkVerifier::castAgain(
     add(
       place.block, place.slot, isDynamic(history_.block(place.block).triangle(place.slot)), memory);
   }
-  findRays(memory);
   cast(memory, true);
   choose(
     memory, [](const WalkFront&, std::size_t) { return true; }, stale);
@@ -144,17 +141,13 @@ void WalkVerifier::castAgain(
 
 void WalkVerifier::cast(Memory& memory, bool byAllDynamic) const
 {
-  castBlocked(memory, byAllDynamic);
-  tracer_.cast(memory.lost.rows, memory.cast); // the object that was hit moved, or objects touch
-  castUncovered(memory);
-}
-
-void WalkVerifier::findRays(Memory& memory) const
-{
   for (Suspects* const suspects : memory.all())
   {
     memory.rays.find(tracer_, history_, suspects->rows);
   }
+  castBlocked(memory, byAllDynamic);
+  tracer_.cast(memory.lost.rows, memory.cast); // the object that was hit moved, or objects touch
+  castUncovered(memory);
 }
 
 /// Decides for each flagged segment of a block how to find out whether it is stale.

@@ -54,7 +54,7 @@ public:
     Suspects blocked, lost, uncovered;
     std::vector<std::vector<std::uint32_t>> slots; ///< that the scan flagged, by block
     std::vector<std::uint32_t> firstStale;         ///< bounce, by walk
-    std::vector<WalkFront::Row> chosen;
+    WalkFront::Rows chosen;
     StoredRays rays;
     FrontCast cast;
   };
@@ -86,8 +86,8 @@ private:
   /// `isLost`: nothing is known of the new hit.
   void add(std::size_t number, std::uint32_t slot, bool isLost, Memory& memory) const;
   bool isTouching(const BounceBlock& block, std::uint32_t slot) const;
-  void findRays(Memory& memory) const;
-  /// `byAllDynamic`: a blocked ray may hit any dynamic object, not only those that moved.
+  /// Finds the rays of all suspects, and their hits. `byAllDynamic`: a blocked ray may hit any
+  /// dynamic object, not only those that moved.
   void cast(Memory& memory, bool byAllDynamic) const;
   void castBlocked(Memory& memory, bool byAllDynamic) const;
   void castUncovered(Memory& memory) const;

@@ -30,7 +30,7 @@ void WalkFront::take(const WalkFront& from, std::size_t first, std::size_t count
   size = all;
 }
 
-void WalkFront::pick(const std::array<const WalkFront*, 3>& fronts, const std::vector<Row>& rows)
+void WalkFront::pick(const std::array<const WalkFront*, 3>& fronts, const Rows& rows)
 {
   const std::size_t all = size + rows.size();
   reserve(all, fronts[0]->bands);
@@ -38,10 +38,8 @@ void WalkFront::pick(const std::array<const WalkFront*, 3>& fronts, const std::v
     bands,
     [&](auto& to, const auto& a, const auto& b, const auto& c) {
       const decltype(a.data()) columns[] = { a.data(), b.data(), c.data() };
-      for (std::size_t i = 0; i < rows.size(); ++i)
-      {
-        to[size + i] = columns[rows[i].front][rows[i].row];
-      }
+      std::transform(rows.begin(), rows.end(), to.data() + size,
+        [&](const auto& row) { return columns[row.first][row.second]; });
     },
     *this, *fronts[0], *fronts[1], *fronts[2]);
   size = all;

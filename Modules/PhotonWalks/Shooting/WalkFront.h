@@ -61,13 +61,9 @@ struct WalkFront
   /// Appends rows of another front. All columns go along, but for `survivors`; rows that were never
   /// written stay so.
   void take(const WalkFront& from, std::size_t first, std::size_t count);
-  /// A row of one of several fronts.
-  struct Row
-  {
-    std::uint32_t front, row;
-  };
-  /// Likewise, rows of three fronts.
-  void pick(const std::array<const WalkFront*, 3>& fronts, const std::vector<Row>& rows);
+  /// Likewise, rows of three fronts: which front, and the row there.
+  using Rows = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+  void pick(const std::array<const WalkFront*, 3>& fronts, const Rows& rows);
   /// Gives the places behind the last walk, up to a whole group, values that stages can read.
   void pad();
 

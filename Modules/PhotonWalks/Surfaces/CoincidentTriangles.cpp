@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/CoincidentTriangles.h"
 
-#include "Execution/SlicedPass.h"
 #include "Surfaces/Touching.h"
 #include "Trees/LeafQuery.h"
 

@@ -53,7 +53,7 @@ void resize(std::vector<Number>& sums, std::size_t size, const CancelPoint& canc
 }
 
 CellSums::CellSums(const SceneObjects& objects, const WalkPlan& plan, std::size_t rounds,
-  const FinalGatherers& gatherers, int sides)
+  const CellPart& gatherers, int sides)
   : plan_(plan)
   , sides_(sides)
   , bands_(objects.staticObject.material->bands)

@@ -27,8 +27,8 @@ struct Deposit
   std::int64_t quanta;
 };
 
-/// Objects [first, second), whose cells gather.
-using FinalGatherers = std::pair<std::uint32_t, std::uint32_t>;
+/// Objects [first, second) whose cells gather direct light together.
+using CellPart = std::pair<std::uint32_t, std::uint32_t>;
 
 /// The power that each side of a cell receives, in quanta. Adding a photon adds its power, removing
 /// it subtracts it. Threads collect deposits and add many at a time; the result does not depend on
@@ -45,7 +45,7 @@ public:
   /// There is room for `rounds` rounds of the plan. `sides`: 1 where both sides of a cell share one
   /// sum.
   explicit CellSums(const SceneObjects& objects, const WalkPlan& plan = {}, std::size_t rounds = 1,
-    const FinalGatherers& gatherers = {}, int sides = 2);
+    const CellPart& gatherers = {}, int sides = 2);
   /// With room for what all cells gather alone, and none for walks.
   static CellSums ofGathered(
     const SceneObjects& objects, const WalkPlan& plan = {}, std::size_t rounds = 1);
@@ -66,7 +66,7 @@ public:
   {
     return sums_.capacity() * sizeof(sums_[0]) + gathered_.capacity() * sizeof(gathered_[0]);
   }
-  const FinalGatherers& gatherers() const { return gatherers_; }
+  const CellPart& gatherers() const { return gatherers_; }
   bool gathers(const SceneCell& cell) const
   {
     return cell.object >= gatherers_.first && cell.object < gatherers_.second;
@@ -121,8 +121,8 @@ public:
       sums[band] += sign * quanta[static_cast<std::size_t>(band)];
     }
   }
-  /// Adds other sums of the same cells, round by round and replicate by replicate. FinalGatherers
-  /// of these must be some of its own.
+  /// Adds other sums of the same cells, round by round and replicate by replicate. The gatherers of
+  /// these must be some of its own.
   void add(const CellSums& others, const CancelPoint& cancelPoint);
   /// Likewise what they gathered alone.
   void addGathered(const CellSums& others, const CancelPoint& cancelPoint);
@@ -256,7 +256,7 @@ private:
   std::size_t roundSize_ = 0;      ///< sums of a round
   std::vector<std::int64_t> sums_; ///< none where all is gathered
   bool areShot_ = true;            ///< there is room for what walks bring
-  FinalGatherers gatherers_;
+  CellPart gatherers_;
   std::size_t gatheredFirst_ = 0, gatheredSize_ = 0; ///< slots of the gatherers in a round
   std::vector<double> gathered_;
   /// Of consecutive parts of the sums, so that threads seldom wait for each other.

@@ -44,7 +44,7 @@ struct Eye
  *
  * Specular light is gathered: from points spread over the cell rays leave along the lobe about the
  * mirrored direction to the eye, and read what they hit as those of sensors do, see
- * ViewFinalGather; lamps are also asked, see LobeLight. A mirror cannot see a light without size;
+ * ViewFinalGather; lamps are also asked, see lobeLight(). A mirror cannot see a light without size;
  * nor does a lobe what such a light sends it by way of a mirror. Theory.md, 1.2.
  *
  * All is a pure function of the scene, the seed, the sums and the eye.

@@ -118,17 +118,6 @@ SensorFinalGather::SensorFinalGather(
 {
 }
 
-std::vector<SensorFinalGather::Light> SensorFinalGather::at(
-  const std::vector<Sensor>& sensors, const std::vector<std::size_t>& numbers) const
-{
-  Rays rays;
-  std::int64_t cast = 0;
-  const std::vector<Replicates> found = update(sensors, numbers, nullptr, rays, cast);
-  std::vector<Light> lights(found.size());
-  std::transform(found.begin(), found.end(), lights.begin(), lightOf);
-  return lights;
-}
-
 std::vector<SensorFinalGather::Replicates> SensorFinalGather::update(
   const std::vector<Sensor>& sensors, const std::vector<std::size_t>& numbers,
   const FinalGatherMotion* motion, Rays& rays, std::int64_t& cast) const

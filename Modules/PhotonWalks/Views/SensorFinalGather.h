@@ -67,10 +67,6 @@ public:
   /// that is too far away.
   using Replicates = std::vector<Bands>;
   static Light lightOf(const Replicates& replicates);
-  /// At the sensors of these numbers, which choose the samples. Throws std::runtime_error for a
-  /// path that does not end. May be called by several threads.
-  std::vector<Light> at(
-    const std::vector<Sensor>& sensors, const std::vector<std::size_t>& numbers) const;
 
   /// The rays of some sensors, which are kept for frames in which things have moved.
   struct Rays
@@ -89,10 +85,11 @@ public:
     /// Of its memory.
     std::size_t bytes() const;
   };
-  /// As at(); cast are only rays that may have changed since those that are given, and those of
-  /// sensors that were elsewhere. `numbers`: the same as then, or from the first on fewer or more.
-  /// `motion`: since then; null: all are cast. Adds to `cast` how many that were, paths and rays to
-  /// lights together.
+  /// At the sensors of these numbers, which choose the samples. Cast are only rays that may have
+  /// changed since those that are given, and those of sensors that were elsewhere. `numbers`: the
+  /// same as then, or from the first on fewer or more. `motion`: since then; null: all are cast.
+  /// Adds to `cast` how many that were, paths and rays to lights together. Throws
+  /// std::runtime_error for a path that does not end. May be called by several threads.
   std::vector<Replicates> update(const std::vector<Sensor>& sensors,
     const std::vector<std::size_t>& numbers, const FinalGatherMotion* motion, Rays& rays,
     std::int64_t& cast) const;

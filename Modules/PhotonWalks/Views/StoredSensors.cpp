@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Views/StoredSensors.h"
 
-#include "Execution/ProgressSpan.h"
-#include "Execution/SlicedPass.h"
-
 #include <algorithm>
 #include <numeric>
 #include <utility>

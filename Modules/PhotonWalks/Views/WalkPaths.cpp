@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Views/WalkPaths.h"
 
-#include "Execution/SlicedPass.h"
-
 #include <algorithm>
 #include <cassert>
 #include <cstring>

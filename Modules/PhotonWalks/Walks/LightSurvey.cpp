@@ -12,6 +12,7 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace irradiance
@@ -67,11 +68,9 @@ LightSurvey::Group groupOf(
   group.lamps = std::make_shared<const LampPieces>(gathered);
   const DirectPilot pilot(objects, *group.lamps);
   group.variance = pilot.variance();
-  const DirectPilot::Sampling sampling = pilot.best(
+  std::tie(group.walksPerSample, group.cost) = pilot.best(
     hits.arrived() / source.lights.flux(), hits.returned(), LightSurvey::powerOfStart(reflected));
-  group.cost = sampling.cost;
-  group.areHardToFind = sampling.cost >= 1;
-  group.walksPerSample = sampling.walksPerSample;
+  group.areHardToFind = group.cost >= 1;
   if (group.areHardToFind)
   {
     std::replace(group.known.begin(), group.known.end(), Known::Gathered, Known::Shot);
@@ -260,7 +259,7 @@ std::vector<WalkSource> partsOf(const WalkSource& source, const LightSurvey::Gro
   }
   if (parts.empty() || group.isGathered())
   {
-    WalkSource gathered{ group.lightsOf(source, Known::Gathered), source.plan, CellPart{} };
+    WalkSource gathered{ group.lightsOf(source, Known::Gathered), source.plan, kStaticPart };
     gathered.lamps = group.lamps;
     gathered.walksPerSample = group.walksPerSample;
     gathered.fewest = fewestSamples.atVariance(group.variance);
@@ -314,9 +313,9 @@ std::vector<WalkSource> directSourcesOf(const SceneObjects& objects,
       all.back().quantaPerStart = std::max<std::int64_t>(1,
         std::llround(LightSurvey::powerOfStart(reflected) *
           static_cast<double>(source.lights.quantaPerWalk())));
-      all.back().fewest = part.isStatic() ? fewestSamples.asMany() : source.fewest;
+      all.back().fewest = part == kStaticPart ? fewestSamples.asMany() : source.fewest;
       all.back().firstWalk = end;
-      end += part.isStatic() ? ofStatic : (share - ofStatic) / std::max(1u, others);
+      end += part == kStaticPart ? ofStatic : (share - ofStatic) / std::max(1u, others);
     }
   }
   return all;

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Walks/WalkSet.h"
 
-#include "Execution/ProgressSpan.h"
-#include "Execution/SlicedPass.h"
-#include "Execution/Stopwatch.h"
 #include "Shooting/StoredRays.h"
 
 #include <algorithm>
@@ -45,14 +42,14 @@ void WalkSet::start(const Frame& frame, Execution& execution)
   }
   blocks_ = dealt(execution.ranks(), settings_.allOnEachRank);
   gathered_.reset();
-  FinalGatherers gatherers;
+  CellPart gatherers;
   areCellsRenumbered_ = false;
   if (source_.cells && !lights().isEmpty())
   {
     gathered_ = std::make_unique<DirectRounds>(
       DirectGather::Settings{ *source_.cells, source_.plan.replicates().count(), source_.firstWalk,
         source_.quantaPerStart, source_.walksPerSample, source_.fewest, settings_.seed });
-    gatherers = { source_.cells->first, source_.cells->end };
+    gatherers = *source_.cells;
   }
   sums_ = CellSums(frame.objects, plan(), 0, gatherers);
   const int bands = frame.objects.staticObject.material->bands;
@@ -85,10 +82,10 @@ std::shared_ptr<BlockArena> WalkSet::arenaFor(int bands)
 
 void WalkSet::shootRound(std::size_t round, bool isStored, const Frame& frame, Execution& execution)
 {
-  const Stopwatch stopwatch;
+  const double start = steadySeconds();
   beginRound(isStored, frame, execution);
   shootBlocks(plan().rounds()[round], isStored, frame, execution);
-  statistics_.shootSeconds += stopwatch.seconds();
+  statistics_.shootSeconds += steadySeconds() - start;
 }
 
 void WalkSet::beginRound(bool isStored, const Frame& frame, Execution& execution)
@@ -198,14 +195,14 @@ void WalkSet::dropRounds(
 void WalkSet::follow(const Frame& frame, PhotonChanges* changes, Execution& execution)
 {
   const bool hasMoved = hasMotion(frame.moved);
-  const Stopwatch stopwatch;
+  const double start = steadySeconds();
   bool startsAgain = false;
   if (gathered_ && hasMoved)
   {
     startsAgain = hasMovedCells(frame.moved) || areCellsRenumbered_;
     startsAgain ? startAgain(frame, execution) : followGathered(frame, execution);
   }
-  const double gatherSeconds = stopwatch.seconds();
+  const double gatherSeconds = steadySeconds() - start;
   // Walks that start again were shot where all things are now, so nothing has moved for them.
   followWalks(startsAgain ? std::vector<bool>(frame.moved.size(), false) : frame.moved, frame,
     changes, execution);
@@ -233,11 +230,11 @@ void WalkSet::followWalks(
   const double born = !stale_ ? 1 : unborn_.empty() ? verified : 0.75;
   ProgressSpan verification(execution, 0, verified), bearing(execution, verified, born),
     rest(execution, born, 1);
-  const Stopwatch stopwatch;
+  const double start = steadySeconds();
   if (hasMoved && stale_)
   {
     repair.verifyAndMark(*stale_, verification);
-    statistics_.verifySeconds = stopwatch.seconds();
+    statistics_.verifySeconds = steadySeconds() - start;
   }
   else if (hasMoved)
   {
@@ -246,8 +243,8 @@ void WalkSet::followWalks(
     const WalkRepair::Figures& figures = repair.figures();
     const double share =
       figures.verifySeconds / (figures.verifySeconds + figures.repairSeconds + 1e-12);
-    statistics_.verifySeconds = share * stopwatch.seconds();
-    statistics_.repairSeconds = (1 - share) * stopwatch.seconds();
+    statistics_.verifySeconds = share * (steadySeconds() - start);
+    statistics_.repairSeconds = (1 - share) * (steadySeconds() - start);
   }
   std::optional<TimeBudget> limit;
   if (hasBudget())
@@ -255,14 +252,14 @@ void WalkSet::followWalks(
     limit.emplace(execution, settings_.repairTimeBudget);
   }
   TimeBudget* const budget = limit ? &*limit : nullptr;
-  const Stopwatch repairing;
+  const double repairStart = steadySeconds();
   shootBorn(tracer, budget, bearing);
   if (stale_)
   {
     repair.repair(*stale_, budget, rest);
     stale_->setUnborn(unborn_, [&](std::uint32_t walk) { return gathered_->powerOf(walk); });
   }
-  statistics_.repairSeconds += budget ? budget->elapsed() : repairing.seconds();
+  statistics_.repairSeconds += budget ? budget->elapsed() : steadySeconds() - repairStart;
   std::sort(repaired_.begin(), repaired_.end());
   statistics_.suspectSegments = verifier.numberOfSuspects();
   statistics_.invalidWalks += repair.figures().invalidWalks;
@@ -311,7 +308,8 @@ bool WalkSet::hasMovedCells(const std::vector<bool>& moved) const
 {
   const auto at = [&](std::uint32_t object) { return moved.begin() + (object - 1); };
   return source_.isDynamic() &&
-    std::find(at(source_.cells->first), at(source_.cells->end), true) != at(source_.cells->end);
+    std::find(at(source_.cells->first), at(source_.cells->second), true) !=
+    at(source_.cells->second);
 }
 
 void WalkSet::followGathered(const Frame& frame, Execution& execution)

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Walks/WalkSets.h"
 
-#include "Execution/ProgressSpan.h"
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -12,24 +10,6 @@
 
 namespace irradiance
 {
-
-namespace
-{
-
-/// Calls work(set, execution) for each set, each with its part of the progress.
-template <class Work>
-void forEach(std::vector<WalkSet>& sets, Execution& execution, const Work& work)
-{
-  const auto count = static_cast<double>(sets.size());
-  for (std::size_t i = 0; i < sets.size(); ++i)
-  {
-    const auto number = static_cast<double>(i);
-    ProgressSpan span(execution, number / count, (number + 1) / count);
-    work(sets[i], span);
-  }
-}
-
-}
 
 WalkPlan WalkSets::planOf(const WalkSettings& settings)
 {
@@ -90,15 +70,16 @@ void WalkSets::setSettings(const WalkSettings& settings)
 
 void WalkSets::start(const Frame& frame, Execution& execution)
 {
-  forEach(sets_, execution, [&](WalkSet& set, Execution& part) { set.start(frame, part); });
+  inParts(
+    sets_.size(), execution, [&](std::size_t i, Execution& part) { sets_[i].start(frame, part); });
   sumUp(frame.objects, execution);
 }
 
 void WalkSets::shootRound(
   std::size_t round, bool isStored, const Frame& frame, Execution& execution)
 {
-  forEach(sets_, execution,
-    [&](WalkSet& set, Execution& part) { set.shootRound(round, isStored, frame, part); });
+  inParts(sets_.size(), execution,
+    [&](std::size_t i, Execution& part) { sets_[i].shootRound(round, isStored, frame, part); });
   sumUp(frame.objects, execution);
 }
 
@@ -113,21 +94,18 @@ void WalkSets::dropRounds(std::size_t kept, const Frame& frame, Execution& execu
 
 void WalkSets::follow(const Frame& frame, PhotonChanges* changes, Execution& execution)
 {
-  const auto count = static_cast<double>(sets_.size());
   double left = budget_;
   // The last ones first: often they have less to do, and leave the others more of the budget.
-  for (std::size_t i = sets_.size(); i-- > 0;)
-  {
-    const auto done = static_cast<double>(sets_.size() - 1 - i);
-    ProgressSpan span(execution, done / count, (done + 1) / count);
+  inParts(sets_.size(), execution, [&](std::size_t done, Execution& part) {
+    const std::size_t i = sets_.size() - 1 - done;
     if (budget_ > 0)
     {
       constexpr double kLeast = 1e-9; // s; 0 would be none
       sets_[i].setBudget(std::max(left / static_cast<double>(i + 1), kLeast));
     }
-    sets_[i].follow(frame, changes, span);
+    sets_[i].follow(frame, changes, part);
     left -= sets_[i].statistics().repairSeconds;
-  }
+  });
   sumUp(frame.objects, execution);
 }
 
@@ -165,7 +143,7 @@ void WalkSets::sumUp(const SceneObjects& objects, Execution& execution)
   const CellSums& any = sets_.front().sums();
   const bool doGather = std::any_of(
     sets_.begin(), sets_.end(), [](const WalkSet& set) { return set.gathered() != nullptr; });
-  const FinalGatherers gatherers{ 0, doGather ? objects.size() : 0 };
+  const CellPart gatherers{ 0, doGather ? objects.size() : 0 };
   Total total{ CellSums(objects, plan_, 0, gatherers), {}, CellSums(objects), staleOfSets(),
     statisticsOfSets() };
   total.sums.setRounds(any.rounds(), cancelPoint);

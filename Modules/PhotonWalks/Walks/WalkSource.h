@@ -30,7 +30,7 @@ struct WalkSource
   std::shared_ptr<const LampPieces> lamps; ///< of the lights, if addLamps() made them
 
   /// Whether walks start at dynamic cells. Those at static ones have the same lights.
-  bool isDynamic() const { return cells && !cells->isStatic(); }
+  bool isDynamic() const { return cells && *cells != kStaticPart; }
   std::shared_ptr<const LampPieces> knownLamps() const
   {
     return lamps ? lamps : std::make_shared<const LampPieces>(lights);

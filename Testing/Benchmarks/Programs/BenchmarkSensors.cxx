@@ -27,7 +27,7 @@
 #include "Measuring/Program.h"
 #include "Measuring/Results.h"
 #include "Measuring/Shot.h"
-#include "Photons/NearestEstimate.h"
+#include "Photons/NearestPhotons.h"
 #include "Rivals/PlainGatherer.h"
 #include "Scenes/PlainRoom.h"
 #include "Scenes/SurfaceSensors.h"
@@ -117,10 +117,12 @@ CellField valuesAt(const SensorFinalGather& gather, const std::vector<Sensor>& s
   {
     std::vector<std::size_t> unit(std::min(kUnit, sensors.size() - first));
     std::iota(unit.begin(), unit.end(), first);
-    const std::vector<SensorFinalGather::Light> found = gather.at(sensors, unit);
+    SensorFinalGather::Rays rays;
+    std::int64_t cast = 0;
+    const auto found = gather.update(sensors, unit, nullptr, rays, cast);
     for (std::size_t i = 0; i < unit.size(); ++i)
     {
-      values[static_cast<Eigen::Index>(unit[i])] = found[i].value[0];
+      values[static_cast<Eigen::Index>(unit[i])] = SensorFinalGather::lightOf(found[i]).value[0];
     }
   }
   return values;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rivals/CellPhotonSets.h"
 
-#include "Execution/ProgressSpan.h"
-#include "Execution/SlicedPass.h"
 #include "Simd/Prefetch.h"
 
 #include <algorithm>

@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Execution/SlicedPass.h"
-
-#include <algorithm>
-#include <mutex>
-#include <vector>
+#include "Execution/Execution.h"
 
 namespace irradiance
 {
