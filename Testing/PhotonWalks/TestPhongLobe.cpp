@@ -3,7 +3,6 @@
 #include "Sampling/DirectionSampling.h"
 #include "Sampling/SobolSequence.h"
 #include "Surfaces/Absorption.h"
-#include "Surfaces/LobeLoss.h"
 #include "Surfaces/PhongLobe.h"
 
 namespace irradiance::test
