@@ -13,27 +13,13 @@ namespace
 std::uint64_t hashOf(const EngineSettings& settings)
 {
   Hash hash;
-  hash.add(settings.numberOfWalks);
-  hash.add(settings.seed);
-  hash.add(settings.verify);
-  hash.add(settings.gathersDirectLight);
-  hash.add(settings.fewestSamples.small);
-  hash.add(settings.fewestSamples.large);
-  hash.add(settings.fewestSamples.mostOfSmall);
-  hash.add(settings.keepPhotons);
-  hash.add(settings.allOnEachRank);
-  hash.add(settings.listRepaired);
-  hash.add(settings.replicates);
-  hash.add(settings.targetRelativeError);
-  hash.add(settings.maximumNumberOfWalks);
-  hash.add(settings.repairTimeBudget);
-  hash.add(static_cast<int>(settings.cellEstimate));
-  hash.add(settings.spreadPhotons);
-  hash.add(settings.gatherRays);
-  hash.add(settings.maximumGatherRays);
-  hash.add(settings.gathersEverywhere);
-  hash.add(settings.unbiasedGather);
-  hash.add(settings.separateSides);
+  hash.add(settings.numberOfWalks, settings.seed, settings.verify, settings.gathersDirectLight,
+    settings.fewestSamples.small, settings.fewestSamples.large, settings.fewestSamples.mostOfSmall,
+    settings.keepPhotons, settings.allOnEachRank, settings.listRepaired, settings.replicates,
+    settings.targetRelativeError, settings.maximumNumberOfWalks, settings.repairTimeBudget,
+    static_cast<int>(settings.cellEstimate), settings.spreadPhotons, settings.gatherRays,
+    settings.maximumGatherRays, settings.gathersEverywhere, settings.unbiasedGather,
+    settings.separateSides);
   return hash.value();
 }
 
