@@ -72,8 +72,8 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t kSamples =
-    8; ///< of a shell, at least, if it has so many triangles
+  /// Of a shell, at least, if it has so many triangles.
+  static constexpr std::uint32_t kSamples = 8;
 
   void takeSamples()
   {
@@ -196,101 +196,47 @@ bool isSmallerThanASide(const Box& inner, const Box& outer)
   return (inner.extent().array() < outer.extent().array() - rounding).count() >= 2;
 }
 
-/// Finds the closed shells that are solid outside: rooms, and the cavities of bodies.
-class RoomSearch
+/// If the closed shell should be a body.
+std::vector<std::uint32_t> cavitiesOf(
+  const std::vector<Shell>& shells, const std::vector<std::uint32_t>& around, std::uint32_t number)
 {
-public:
-  /// `around`: see shellsAround().
-  RoomSearch(std::vector<Shell>& shells, const std::vector<std::uint32_t>& around)
-    : shells_(shells)
-    , around_(around)
-    , byX_(shells.size())
+  std::vector<std::uint32_t> cavities;
+  for (std::uint32_t i = 0; i < shells.size() && shells[number].isOutermost; ++i)
   {
-    std::iota(byX_.begin(), byX_.end(), 0u);
-    std::sort(byX_.begin(), byX_.end(),
-      [&](std::uint32_t i, std::uint32_t k) { return lowerX(i) < lowerX(k); });
-  }
-
-  void markRooms(const CancelPoint& cancelPoint)
-  {
-    ThrottledCancelPoint pace(cancelPoint);
-    for (std::uint32_t i = 0; i < shells_.size(); ++i)
+    if (around[i] == number)
     {
-      Shell& shell = shells_[i];
-      if (shell.isClosed)
-      {
-        const std::vector<std::uint32_t> cavities = shell.isTurned ? Numbers() : cavitiesOf(i);
-        shell.isRoom =
-          shell.isTurned == shell.isOutermost ? shell.isOutermost : isFurnished(i, cavities, pace);
-        shell.isOutermost = shell.isOutermost && (shell.isRoom || cavities.empty());
-      }
+      cavities.push_back(i);
     }
   }
+  return cavities;
+}
 
-  /// A shell with its front inside that lies in the solid of a body. Larger ones first, as a cavity
-  /// has no solid inside.
-  void markCavities()
+/// Whether a shell holds something that is not, or in, one of its cavities. What touches the
+/// outside of a body with cavities is not in it. `byX`: the shells by the lower bounds along x.
+bool isFurnished(const std::vector<Shell>& shells, const std::vector<std::uint32_t>& byX,
+  std::uint32_t number, const std::vector<std::uint32_t>& cavities, ThrottledCancelPoint& pace)
+{
+  const auto lowerX = [&](std::uint32_t shell) { return shells[shell].bounds.lower[0]; };
+  const Box& outer = shells[number].bounds;
+  const double rounding = 0x1p-32 * outer.magnitude();
+  Box within = outer;
+  within.inflate(cavities.empty() ? 0 : -4 * rounding);
+  auto i = std::lower_bound(byX.begin(), byX.end(), within.lower[0] - rounding,
+    [&](std::uint32_t shell, double x) { return lowerX(shell) < x; });
+  for (; i != byX.end() && lowerX(*i) <= within.upper[0]; ++i)
   {
-    Numbers bySize(byX_);
-    const auto size = [&](std::uint32_t i) { return shells_[i].bounds.extent().squaredNorm(); };
-    std::sort(bySize.begin(), bySize.end(),
-      [&](std::uint32_t i, std::uint32_t k) { return size(i) > size(k); });
-    for (const std::uint32_t i : bySize)
+    pace.step();
+    const Box& inner = shells[*i].bounds;
+    const auto isOfCavity = [&](
+                              std::uint32_t cavity) { return holds(shells[cavity].bounds, inner); };
+    if (*i != number && holds(within, inner) && isSmallerThanASide(inner, outer) &&
+      std::none_of(cavities.begin(), cavities.end(), isOfCavity))
     {
-      shells_[i].isRoom =
-        shells_[i].isRoom || (around_[i] != kNoShell && !shells_[around_[i]].isRoom);
+      return true;
     }
   }
-
-private:
-  using Numbers = std::vector<std::uint32_t>;
-
-  double lowerX(std::uint32_t shell) const { return shells_[shell].bounds.lower[0]; }
-
-  /// If the closed shell should be a body.
-  Numbers cavitiesOf(std::uint32_t number) const
-  {
-    Numbers cavities;
-    for (std::uint32_t i = 0; i < shells_.size() && shells_[number].isOutermost; ++i)
-    {
-      if (around_[i] == number)
-      {
-        cavities.push_back(i);
-      }
-    }
-    return cavities;
-  }
-
-  /// Whether a shell holds something that is not, or in, one of its cavities. What touches the
-  /// outside of a body with cavities is not in it.
-  bool isFurnished(std::uint32_t number, const Numbers& cavities, ThrottledCancelPoint& pace) const
-  {
-    const Box& outer = shells_[number].bounds;
-    const double rounding = 0x1p-32 * outer.magnitude();
-    Box within = outer;
-    within.inflate(cavities.empty() ? 0 : -4 * rounding);
-    auto i = std::lower_bound(byX_.begin(), byX_.end(), within.lower[0] - rounding,
-      [&](std::uint32_t shell, double x) { return lowerX(shell) < x; });
-    for (; i != byX_.end() && lowerX(*i) <= within.upper[0]; ++i)
-    {
-      pace.step();
-      const Box& inner = shells_[*i].bounds;
-      const auto isOfCavity = [&](std::uint32_t cavity) {
-        return holds(shells_[cavity].bounds, inner);
-      };
-      if (*i != number && holds(within, inner) && isSmallerThanASide(inner, outer) &&
-        std::none_of(cavities.begin(), cavities.end(), isOfCavity))
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  std::vector<Shell>& shells_;
-  const Numbers& around_;
-  Numbers byX_; ///< the shells by the lower bounds along x
-};
+  return false;
+}
 
 }
 
@@ -303,12 +249,34 @@ std::vector<std::uint32_t> shellsAround(
 void markRooms(std::vector<Shell>& shells, const std::vector<std::uint32_t>& around,
   bool mayHoldRooms, const CancelPoint& cancelPoint)
 {
-  RoomSearch rooms(shells, around);
-  if (mayHoldRooms)
+  std::vector<std::uint32_t> order(shells.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t k) {
+    return shells[i].bounds.lower[0] < shells[k].bounds.lower[0];
+  });
+  ThrottledCancelPoint pace(cancelPoint);
+  for (std::uint32_t i = 0; mayHoldRooms && i < shells.size(); ++i)
   {
-    rooms.markRooms(cancelPoint);
+    Shell& shell = shells[i];
+    if (shell.isClosed)
+    {
+      const std::vector<std::uint32_t> cavities =
+        shell.isTurned ? std::vector<std::uint32_t>() : cavitiesOf(shells, around, i);
+      shell.isRoom = shell.isTurned == shell.isOutermost
+        ? shell.isOutermost
+        : isFurnished(shells, order, i, cavities, pace);
+      shell.isOutermost = shell.isOutermost && (shell.isRoom || cavities.empty());
+    }
   }
-  rooms.markCavities();
+  // A shell with its front inside that lies in the solid of a body is a cavity. Larger ones first,
+  // as a cavity has no solid inside.
+  const auto size = [&](std::uint32_t i) { return shells[i].bounds.extent().squaredNorm(); };
+  std::sort(order.begin(), order.end(),
+    [&](std::uint32_t i, std::uint32_t k) { return size(i) > size(k); });
+  for (const std::uint32_t i : order)
+  {
+    shells[i].isRoom = shells[i].isRoom || (around[i] != kNoShell && !shells[around[i]].isRoom);
+  }
 }
 
 bool holds(const Box& outer, const Box& inner)
