@@ -7,8 +7,7 @@
 #include "Meshes/SurfacePoint.h"
 #include "Sampling/DirectionSampling.h"
 #include "Surfaces/Bands.h"
-#include "Surfaces/SceneCell.h"
-#include "Surfaces/SceneObjects.h"
+#include "Surfaces/SceneCells.h"
 
 #include <array>
 #include <utility>
