@@ -4,7 +4,6 @@
 #include "Execution/ProgressSpan.h"
 #include "Meshes/ShellNesting.h"
 #include "Surfaces/ContactLight.h"
-#include "Surfaces/Touching.h"
 #include "Trees/LeafQuery.h"
 
 #include <algorithm>
