@@ -52,8 +52,7 @@ inline void PrintTo(const NamedScene& scene, std::ostream* out)
 /// The total order that makes the closest hit unique in whichever order triangles are visited.
 inline bool isCloser(const Hit& a, const Hit& b)
 {
-  return std::tie(a.distance, a.id.object, a.id.triangle) <
-    std::tie(b.distance, b.id.object, b.id.triangle);
+  return std::tie(a.distance, a.id) < std::tie(b.distance, b.id);
 }
 
 /// The point of a hit. The normal is turned to the side from which a ray of this direction comes.

@@ -101,24 +101,20 @@ void Contacts::update(const SceneObjects& objects, const std::vector<bool>& move
 void Contacts::findWithin(const SceneObjects& objects, Execution& execution)
 {
   own_.resize(objects.size());
-  std::vector<OwnPairs*> unknown;
+  std::vector<std::uint32_t> unknown;
   std::vector<const RigidObject*> bodies;
   for (std::uint32_t i = 0; i < objects.size(); ++i)
   {
     if (objects[i].isPresent && own_[i].body != objects[i].body)
     {
-      unknown.push_back(&own_[i]);
+      unknown.push_back(i);
       bodies.push_back(objects[i].body.get());
     }
   }
   std::vector<std::vector<TrianglePair>> found = coincidentWithin(bodies, execution);
   for (std::size_t i = 0; i < unknown.size(); ++i)
   {
-    unknown[i]->pairs = std::move(found[i]);
-  }
-  for (std::uint32_t i = 0; i < objects.size(); ++i)
-  {
-    own_[i].body = objects[i].isPresent ? objects[i].body : own_[i].body;
+    own_[unknown[i]] = { objects[unknown[i]].body, std::move(found[i]) };
   }
 }
 
@@ -137,10 +133,7 @@ void Contacts::findBetween(
       between_.push_back({ { i, first }, { k, second } });
     }
   });
-  std::sort(between_.begin(), between_.end(), [](const Pair& a, const Pair& b) {
-    return std::tie(a.first.object, a.first.triangle, a.second.object, a.second.triangle) <
-      std::tie(b.first.object, b.first.triangle, b.second.object, b.second.triangle);
-  });
+  std::sort(between_.begin(), between_.end());
 }
 
 std::vector<Contacts::Pair> Contacts::litPairs(
@@ -223,10 +216,8 @@ Contacts::ContactTriangle Contacts::contactTriangleOf(const SceneObjects& object
 
 void Contacts::finish(Contact& contact, const SceneObjects& objects, const CancelPoint& cancelPoint)
 {
-  const auto order = [](const ContactTriangle& a, const ContactTriangle& b) {
-    return std::tie(a.id.object, a.id.triangle) < std::tie(b.id.object, b.id.triangle);
-  };
-  std::sort(contact.partners.begin(), contact.partners.end(), order);
+  std::sort(contact.partners.begin(), contact.partners.end(),
+    [](const ContactTriangle& a, const ContactTriangle& b) { return a.id < b.id; });
   std::vector<Box> boxes;
   for (std::uint32_t i = 0; i < contact.partners.size(); ++i)
   {
@@ -313,17 +304,11 @@ private:
     return !entry.triangle->isLamp ? 2 : entry.isFront ? 1 : 3;
   }
   /// Sheets do not stop what leaves other sheets.
-  int layerOf(const Entry& entry) const
-  {
-    const int rank = rankOf(entry);
-    return entry.into == 0 ? 1 : rank;
-  }
+  int layerOf(const Entry& entry) const { return entry.into == 0 ? 1 : rankOf(entry); }
   /// What is smaller lies on what is larger; of what is as large, what faces the ray.
-  std::tuple<int, double, bool, std::uint32_t, std::uint32_t> orderOf(const Entry& entry) const
+  std::tuple<int, double, bool, TriangleId> orderOf(const Entry& entry) const
   {
-    const ContactTriangle& triangle = *entry.triangle;
-    return { rankOf(entry), triangle.size, !entry.isFront, triangle.id.object,
-      triangle.id.triangle };
+    return { rankOf(entry), entry.triangle->size, !entry.isFront, entry.triangle->id };
   }
 
   const Scene& scene_;

@@ -10,14 +10,14 @@
 namespace irradiance
 {
 
-/// The solid sides of an object's triangles, of their fronts in its own space. The static object may
-/// hold rooms.
+/// The solid sides of an object's triangles, of their fronts in its own space. The static object
+/// may hold rooms.
 std::vector<SolidSide> solidSidesInModel(
   const SceneObject& object, bool isStatic, const CancelPoint& cancelPoint);
 
-/// The solid sides of all objects, of fronts as a pose leaves them: one that mirrors turns them over.
-/// Bounds are in an object's own space. They are found when first asked for, and hold while an object's
-/// body, material and emission stay.
+/// The solid sides of all objects, of fronts as a pose leaves them: one that mirrors turns them
+/// over. Bounds are in an object's own space. They are found when first asked for, and hold while an
+/// object's body, material and emission stay.
 class ObjectSides
 {
 public:

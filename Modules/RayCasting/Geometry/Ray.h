@@ -25,6 +25,10 @@ struct TriangleId
     return a.object == b.object && a.triangle == b.triangle;
   }
   friend bool operator!=(const TriangleId& a, const TriangleId& b) { return !(a == b); }
+  friend bool operator<(const TriangleId& a, const TriangleId& b)
+  {
+    return a.object != b.object ? a.object < b.object : a.triangle < b.triangle;
+  }
 };
 
 /// Half-line in world space. `start` is the triangle that it leaves and cannot hit again.

@@ -8,8 +8,8 @@ namespace irradiance
 {
 
 /// Where the searches of this thread count the blocks of eight triangles that they test in float;
-/// null, the initial value, if they do not. Only tests are built so that they can: the kernels exist
-/// twice then.
+/// null, the initial value, if they do not. Only tests are built so that they can: the kernels
+/// exist twice then.
 #ifdef VTKIRRADIANCE_COUNT_QUERIES
 inline std::uint64_t*& countedBlocks()
 {
