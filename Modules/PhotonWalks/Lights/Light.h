@@ -6,7 +6,7 @@
 #include "Lights/PointLight.h"
 #include "Meshes/SurfacePoint.h"
 #include "Sampling/DirectionSampling.h"
-#include "Surfaces/Bands.h"
+#include "Surfaces/Power.h"
 #include "Surfaces/SceneCells.h"
 
 #include <array>

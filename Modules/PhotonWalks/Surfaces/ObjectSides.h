@@ -16,8 +16,8 @@ std::vector<SolidSide> solidSidesInModel(
   const SceneObject& object, bool isStatic, const CancelPoint& cancelPoint);
 
 /// The solid sides of all objects, of fronts as a pose leaves them: one that mirrors turns them
-/// over. Bounds are in an object's own space. They are found when first asked for, and hold while an
-/// object's body, material and emission stay.
+/// over. Bounds are in an object's own space. They are found when first asked for, and hold while
+/// its body, material and emission stay.
 class ObjectSides
 {
 public:
