@@ -140,31 +140,25 @@ std::vector<Contacts::Pair> Contacts::litPairs(
   const SceneObjects& objects, ObjectSides& sides, const CancelPoint& cancelPoint) const
 {
   std::vector<Pair> lit;
-  if (between_.empty() &&
-    std::all_of(own_.begin(), own_.end(), [](const OwnPairs& own) { return own.pairs.empty(); }))
+  for (std::uint32_t i = 0; i < objects.size(); ++i)
+  {
+    for (std::size_t k = 0; objects[i].isPresent && k < own_[i].pairs.size(); ++k)
+    {
+      lit.push_back({ { i, own_[i].pairs[k].first }, { i, own_[i].pairs[k].second } });
+    }
+  }
+  lit.insert(lit.end(), between_.begin(), between_.end());
+  if (lit.empty())
   {
     return lit; // as in most scenes: looking for lamps would cost time
   }
   ContactLight light(objects, sides, cancelPoint);
   ThrottledCancelPoint pace(cancelPoint);
-  const auto add = [&](const TriangleId& s, const TriangleId& t) {
+  const auto isDark = [&](const Pair& pair) {
     pace.step(16);
-    if (light.mayCome(s, t))
-    {
-      lit.push_back({ s, t });
-    }
+    return !light.mayCome(pair.first, pair.second);
   };
-  for (std::uint32_t i = 0; i < objects.size(); ++i)
-  {
-    for (std::size_t k = 0; objects[i].isPresent && k < own_[i].pairs.size(); ++k)
-    {
-      add({ i, own_[i].pairs[k].first }, { i, own_[i].pairs[k].second });
-    }
-  }
-  for (const auto& [s, t] : between_)
-  {
-    add(s, t);
-  }
+  lit.erase(std::remove_if(lit.begin(), lit.end(), isDark), lit.end());
   return lit;
 }
 

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <memory>
+#include <tuple>
 #include <vector>
 
 namespace irradiance
@@ -89,19 +90,10 @@ public:
   std::size_t bytes() const;
 
 private:
-  /// What the looks of an object were made of.
-  struct Origin
-  {
-    std::shared_ptr<const Material> material;
-    std::size_t firstCell = 0;
-    std::uint32_t first = 0, end = 0; ///< triangles
-
-    bool operator==(const Origin& other) const
-    {
-      return material == other.material && firstCell == other.firstCell && first == other.first &&
-        end == other.end;
-    }
-  };
+  /// What the looks of an object were made of: its material, first cell, first triangle, and the
+  /// first triangle of the next object.
+  using Origin =
+    std::tuple<std::shared_ptr<const Material>, std::size_t, std::uint32_t, std::uint32_t>;
 
   /// Returns whether one is glossy.
   bool fill(const Origin& origin, ThrottledCancelPoint& pace);
