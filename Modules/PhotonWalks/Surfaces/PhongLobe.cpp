@@ -114,6 +114,18 @@ double integral(double cosine, double width)
 
 }
 
+namespace
+{
+
+/// The last value that is not above `value`, the last of all left out; `values` rise.
+std::size_t nodeBelow(const std::vector<double>& values, double value)
+{
+  const auto above = std::upper_bound(values.begin() + 1, values.end() - 1, value);
+  return static_cast<std::size_t>(above - values.begin()) - 1;
+}
+
+}
+
 PhongLobe::PhongLobe(double exponent)
   : exponent_(exponent)
 {
@@ -133,16 +145,10 @@ PhongLobe::PhongLobe(double exponent)
   }
 }
 
-std::size_t PhongLobe::nodeBelow(double square) const
-{
-  const auto above = std::upper_bound(squares_.begin() + 1, squares_.end() - 1, square);
-  return static_cast<std::size_t>(above - squares_.begin()) - 1;
-}
-
 double PhongLobe::loss(double cosine) const
 {
   const double square = cosine * cosine;
-  const std::size_t node = nodeBelow(square);
+  const std::size_t node = nodeBelow(squares_, square);
   const double part = (square - squares_[node]) / (squares_[node + 1] - squares_[node]);
   return losses_[node] + part * (losses_[node + 1] - losses_[node]);
 }
@@ -182,8 +188,7 @@ Vector3 PhongLobe::sample(
 Vector3 PhongLobe::compensate(const Vector3& normal, const std::array<double, 2>& sample) const
 {
   const double sum = sample[0] * sums_.back();
-  const auto above = std::upper_bound(sums_.begin() + 1, sums_.end() - 1, sum);
-  const auto node = static_cast<std::size_t>(above - sums_.begin()) - 1;
+  const std::size_t node = nodeBelow(sums_, sum);
   const double size = squares_[node + 1] - squares_[node];
   const double loss = losses_[node], slope = (losses_[node + 1] - loss) / size;
   const double rest = sum - sums_[node];

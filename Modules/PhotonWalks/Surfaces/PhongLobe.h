@@ -84,8 +84,6 @@ public:
   double loss(double cosine) const;
 
 private:
-  /// Nodes of the loss, closer together where it is larger.
-  std::size_t nodeBelow(double square) const;
   Vector3 compensate(const Vector3& normal, const std::array<double, 2>& sample) const;
 
   double exponent_;
