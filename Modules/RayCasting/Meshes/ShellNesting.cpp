@@ -21,173 +21,116 @@ struct Sample
   double row; ///< across y; there are about as many rows as a row has points
 };
 
-class NestingSearch
+bool isBefore(const Sample& a, const Sample& b)
 {
-public:
-  NestingSearch(const std::vector<Triangle>& triangles, const SolidSides& bodies,
-    const CancelPoint& cancelPoint)
-    : triangles_(triangles)
-    , bodies_(bodies)
-    , pace_(cancelPoint)
-    , samplesOf_(bodies.shells.size(), 0)
+  return std::make_pair(a.row, a.point[2]) < std::make_pair(b.row, b.point[2]);
+}
+
+/// Near no edge of a regular mesh, as seen along an axis.
+Vector3 insideOf(const Triangle& t, SolidSide side, const Box& bounds)
+{
+  const double step = std::max(0x1p-24 * bounds.extent().norm(), 0x1p-44 * bounds.magnitude());
+  const Vector3 inwards = (side == SolidSide::InFront ? 1.0 : -1.0) * t.areaVector().normalized();
+  return t.a + 0.4511 * (t.b - t.a) + 0.2352 * (t.c - t.a) + step * inwards;
+}
+
+/// In no row yet. Adds to the number of each shell's samples.
+std::vector<Sample> takeSamples(const std::vector<Triangle>& triangles, const SolidSides& bodies,
+  std::vector<std::uint32_t>& samplesOf)
+{
+  constexpr std::uint32_t kSamples = 8; // of a shell, at least, if it has so many triangles
+  const std::vector<Shell>& shells = bodies.shells;
+  std::vector<Sample> samples;
+  if (std::count_if(shells.begin(), shells.end(), [](const Shell& s) { return s.isClosed; }) < 2)
   {
-    takeSamples();
-    for (std::uint32_t i = 0; i < triangles.size() && !samples_.empty(); ++i)
-    {
-      pace_.step();
-      if (bodies.shell(i).isClosed)
-      {
-        addCrossings(triangles[i], bodies.shellOf[i]);
-      }
-    }
-    std::sort(crossings_.begin(), crossings_.end());
+    return samples;
   }
-
-  std::vector<std::uint32_t> shellsAround() const
+  std::vector<std::uint32_t> counts(shells.size(), 0), next(shells.size(), 0);
+  for (const std::uint32_t shell : bodies.shellOf)
   {
-    std::vector<std::uint32_t> around(bodies_.shells.size(), kNoShell);
-    const auto size = [&](std::uint32_t shell) {
-      return bodies_.shells[shell].bounds.extent().squaredNorm();
-    };
-    for (std::size_t i = 0; i < crossings_.size();)
-    {
-      const auto [inner, outer, first] = crossings_[i];
-      std::uint32_t inside = 0;
-      while (i < crossings_.size() && crossings_[i][0] == inner && crossings_[i][1] == outer)
-      {
-        const std::size_t begin = i;
-        while (i < crossings_.size() && crossings_[i] == crossings_[begin])
-        {
-          ++i;
-        }
-        inside += (i - begin) % 2;
-      }
-      if (inside == samplesOf_[inner] &&
-        (around[inner] == kNoShell || size(outer) < size(around[inner])))
-      {
-        around[inner] = outer;
-      }
-    }
-    return around;
+    ++counts[shell];
   }
-
-private:
-  /// Of a shell, at least, if it has so many triangles.
-  static constexpr std::uint32_t kSamples = 8;
-
-  void takeSamples()
+  for (std::uint32_t i = 0; i < triangles.size(); ++i)
   {
-    const std::vector<Shell>& shells = bodies_.shells;
-    if (std::count_if(shells.begin(), shells.end(), [](const Shell& s) { return s.isClosed; }) < 2)
+    const std::uint32_t shell = bodies.shellOf[i];
+    const bool isSampled = shells[shell].isClosed && shells[shell].isTurned &&
+      next[shell]++ % std::max(1u, counts[shell] / kSamples) == 0;
+    if (isSampled && triangles[i].area() > 0)
     {
-      return;
+      ++samplesOf[shell];
+      samples.push_back({ insideOf(triangles[i], bodies.of[i], shells[shell].bounds), shell, 0 });
     }
-    std::vector<std::uint32_t> counts(shells.size(), 0), next(shells.size(), 0);
-    for (const std::uint32_t shell : bodies_.shellOf)
-    {
-      ++counts[shell];
-    }
-    for (std::uint32_t i = 0; i < triangles_.size(); ++i)
-    {
-      const std::uint32_t shell = bodies_.shellOf[i];
-      const bool isSampled = shells[shell].isClosed && shells[shell].isTurned &&
-        next[shell]++ % std::max(1u, counts[shell] / kSamples) == 0;
-      if (isSampled && triangles_[i].area() > 0)
-      {
-        ++samplesOf_[shell];
-        samples_.push_back({ insideOf(i), shell, 0 });
-      }
-    }
-    sortByRow();
   }
+  return samples;
+}
 
-  void sortByRow()
+/// Seen along x, whether a ray from the point along z crosses an edge. The two triangles at an
+/// edge get the same answer, so of a closed shell the ray along x crosses an even number.
+bool isBeside(const Vector3& a, const Vector3& b, const Vector3& point)
+{
+  if ((a[1] <= point[1]) == (b[1] <= point[1]))
   {
-    for (const Sample& sample : samples_)
-    {
-      bounds_.add(sample.point);
-    }
-    rowsPerLength_ =
-      std::sqrt(static_cast<double>(samples_.size())) / std::max(bounds_.extent()[1], 0x1p-1000);
-    for (Sample& sample : samples_)
-    {
-      sample.row = rowOf(sample.point[1]);
-    }
-    std::sort(samples_.begin(), samples_.end(), isBefore);
+    return false;
   }
+  const Vector3 &p = a[1] < b[1] ? a : b, &q = a[1] < b[1] ? b : a;
+  return (point[2] - p[2]) * (q[1] - p[1]) < (q[2] - p[2]) * (point[1] - p[1]);
+}
 
-  double rowOf(double y) const { return std::floor((y - bounds_.lower[1]) * rowsPerLength_); }
+/// Whether the ray from the point along x crosses the triangle.
+bool doesCross(const Triangle& t, const Vector3& point)
+{
+  const bool isHit =
+    (isBeside(t.a, t.b, point) != isBeside(t.b, t.c, point)) != isBeside(t.c, t.a, point);
+  const Vector3 n = t.areaVector(), d = point - t.a;
+  return isHit && (n[0] > 0 ? n.dot(d) < 0 : n.dot(d) > 0);
+}
 
-  static bool isBefore(const Sample& a, const Sample& b)
+/// Where the ray from each sample along x crosses closed shells: inner shell, outer shell, sample.
+std::vector<std::array<std::uint32_t, 3>> crossingsOf(std::vector<Sample> samples,
+  const std::vector<Triangle>& triangles, const SolidSides& bodies, const CancelPoint& cancelPoint)
+{
+  Box bounds;
+  for (const Sample& sample : samples)
   {
-    return std::make_pair(a.row, a.point[2]) < std::make_pair(b.row, b.point[2]);
+    bounds.add(sample.point);
   }
-
-  /// Near no edge of a regular mesh, as seen along an axis.
-  Vector3 insideOf(std::uint32_t triangle) const
+  const double rowsPerLength =
+    std::sqrt(static_cast<double>(samples.size())) / std::max(bounds.extent()[1], 0x1p-1000);
+  const auto rowOf = [&](double y) { return std::floor((y - bounds.lower[1]) * rowsPerLength); };
+  for (Sample& sample : samples)
   {
-    const Triangle& t = triangles_[triangle];
-    const Box& bounds = bodies_.shell(triangle).bounds;
-    const double step = std::max(0x1p-24 * bounds.extent().norm(), 0x1p-44 * bounds.magnitude());
-    const Vector3 inwards =
-      (bodies_.of[triangle] == SolidSide::InFront ? 1.0 : -1.0) * t.areaVector().normalized();
-    return t.a + 0.4511 * (t.b - t.a) + 0.2352 * (t.c - t.a) + step * inwards;
+    sample.row = rowOf(sample.point[1]);
   }
-
-  /// Where the ray from each sample along x crosses the triangle.
-  void addCrossings(const Triangle& triangle, std::uint32_t outer)
+  std::sort(samples.begin(), samples.end(), isBefore);
+  std::vector<std::array<std::uint32_t, 3>> crossings;
+  ThrottledCancelPoint pace(cancelPoint);
+  for (std::uint32_t i = 0; i < triangles.size() && !samples.empty(); ++i)
   {
-    const Box box = triangle.bounds();
-    const double last = rowOf(std::min(box.upper[1], bounds_.upper[1]));
+    pace.step();
+    const Shell& shell = bodies.shell(i);
+    const Box box = triangles[i].bounds();
+    const double last = rowOf(std::min(box.upper[1], bounds.upper[1]));
     double row = std::max(rowOf(box.lower[1]), 0.0) - 1;
-    while (++row <= last)
+    while (shell.isClosed && ++row <= last)
     {
       auto sample = std::lower_bound(
-        samples_.begin(), samples_.end(), Sample{ { 0, 0, box.lower[2] }, 0, row }, isBefore);
-      for (; sample != samples_.end() && sample->row == row && sample->point[2] <= box.upper[2];
+        samples.begin(), samples.end(), Sample{ { 0, 0, box.lower[2] }, 0, row }, isBefore);
+      for (; sample != samples.end() && sample->row == row && sample->point[2] <= box.upper[2];
            ++sample)
       {
-        const Box& inner = bodies_.shells[sample->shell].bounds;
-        const Box& its = bodies_.shells[outer].bounds;
-        if (sample->point[0] <= box.upper[0] && holds(its, inner) && !holds(inner, its) &&
-          doesCross(triangle, sample->point))
+        const Box& inner = bodies.shells[sample->shell].bounds;
+        if (sample->point[0] <= box.upper[0] && holds(shell.bounds, inner) &&
+          !holds(inner, shell.bounds) && doesCross(triangles[i], sample->point))
         {
-          crossings_.push_back(
-            { sample->shell, outer, static_cast<std::uint32_t>(sample - samples_.begin()) });
+          crossings.push_back({ sample->shell, bodies.shellOf[i],
+            static_cast<std::uint32_t>(sample - samples.begin()) });
         }
       }
     }
   }
-
-  static bool doesCross(const Triangle& t, const Vector3& point)
-  {
-    const bool isHit =
-      (isBeside(t.a, t.b, point) != isBeside(t.b, t.c, point)) != isBeside(t.c, t.a, point);
-    const Vector3 n = t.areaVector(), d = point - t.a;
-    return isHit && (n[0] > 0 ? n.dot(d) < 0 : n.dot(d) > 0);
-  }
-
-  /// Seen along x, whether a ray from the point along z crosses an edge. The two triangles at an
-  /// edge get the same answer, so of a closed shell the ray along x crosses an even number.
-  static bool isBeside(const Vector3& a, const Vector3& b, const Vector3& point)
-  {
-    if ((a[1] <= point[1]) == (b[1] <= point[1]))
-    {
-      return false;
-    }
-    const Vector3 &p = a[1] < b[1] ? a : b, &q = a[1] < b[1] ? b : a;
-    return (point[2] - p[2]) * (q[1] - p[1]) < (q[2] - p[2]) * (point[1] - p[1]);
-  }
-
-  const std::vector<Triangle>& triangles_;
-  const SolidSides& bodies_;
-  ThrottledCancelPoint pace_;
-  std::vector<Sample> samples_; ///< by rows, in each by z
-  Box bounds_;                  ///< of their points
-  double rowsPerLength_ = 0;
-  std::vector<std::uint32_t> samplesOf_;
-  std::vector<std::array<std::uint32_t, 3>> crossings_; ///< inner shell, outer shell, sample
-};
+  std::sort(crossings.begin(), crossings.end());
+  return crossings;
+}
 
 /// A sheet as large as a side of the box lies against it. A smaller one lies in it, or lights it.
 bool isSmallerThanASide(const Box& inner, const Box& outer)
@@ -243,7 +186,33 @@ bool isFurnished(const std::vector<Shell>& shells, const std::vector<std::uint32
 std::vector<std::uint32_t> shellsAround(
   const std::vector<Triangle>& triangles, const SolidSides& bodies, const CancelPoint& cancelPoint)
 {
-  return NestingSearch(triangles, bodies, cancelPoint).shellsAround();
+  std::vector<std::uint32_t> samplesOf(bodies.shells.size(), 0);
+  const std::vector<std::array<std::uint32_t, 3>> crossings =
+    crossingsOf(takeSamples(triangles, bodies, samplesOf), triangles, bodies, cancelPoint);
+  std::vector<std::uint32_t> around(bodies.shells.size(), kNoShell);
+  const auto size = [&](std::uint32_t shell) {
+    return bodies.shells[shell].bounds.extent().squaredNorm();
+  };
+  for (std::size_t i = 0; i < crossings.size();)
+  {
+    const auto [inner, outer, first] = crossings[i];
+    std::uint32_t inside = 0;
+    while (i < crossings.size() && crossings[i][0] == inner && crossings[i][1] == outer)
+    {
+      const std::size_t begin = i;
+      while (i < crossings.size() && crossings[i] == crossings[begin])
+      {
+        ++i;
+      }
+      inside += (i - begin) % 2;
+    }
+    if (inside == samplesOf[inner] &&
+      (around[inner] == kNoShell || size(outer) < size(around[inner])))
+    {
+      around[inner] = outer;
+    }
+  }
+  return around;
 }
 
 void markRooms(std::vector<Shell>& shells, const std::vector<std::uint32_t>& around,
