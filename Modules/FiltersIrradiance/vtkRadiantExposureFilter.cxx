@@ -251,7 +251,7 @@ private:
     if (ranks.areSeveral())
     {
       irradiance::Hash hash;
-      std::apply([&](const auto&... all) { (hash.add(all), ...); }, this->Of.Shared());
+      std::apply([&](const auto&... all) { hash.add(all...); }, this->Of.Shared());
       hash.add(irradiance::stepsOf(this->Input()));
       ranks.expectSame(hash.value(), "other settings or times than on the first process");
     }

@@ -3,8 +3,6 @@
 
 #include "Kit.h"
 
-#include "Surfaces/MeanReflectance.h"
-
 // Lights that shine mostly on static cells near to them are shot where all others are gathered.
 
 namespace irradiance::test

@@ -2,7 +2,7 @@
 // The paths of a final gather that are kept over motions: those that nothing touches, and no other.
 
 #include "Kit.h"
-#include "Surfaces/Touching.h"
+#include "Surfaces/CoincidentTriangles.h"
 
 namespace irradiance::test
 {

@@ -3,7 +3,6 @@
 #include "Sampling/DirectionSampling.h"
 #include "Sampling/SobolSequence.h"
 #include "Surfaces/Absorption.h"
-#include "Surfaces/LobeLoss.h"
 #include "Surfaces/PhongLobe.h"
 
 namespace irradiance::test
@@ -230,7 +229,7 @@ TEST(Absorption, SeveralBandsKeepTheMeanAndTheStrongestPower)
     {
       const double probability = survivalProbabilities(power, material, 0).total();
       ASSERT_LE(probability, *std::max_element(reflectance.begin(), reflectance.end()));
-      const Power after = survivingPower(power, material, 0, Reflection::Diffuse, probability);
+      const Power after = survivingPower(power, material, 0, false, probability);
       ASSERT_EQ(after.largest(), power.largest());
       expectReflected(after, probability, power, reflectance);
     }
@@ -262,17 +261,17 @@ TEST(Absorption, SpecularAndDiffuseReflectionKeepTheMeanOfEachBand)
     const Power power{ { kQuanta, kQuanta, kQuanta } };
     const SurvivalProbabilities survival = survivalProbabilities(power, material, 0);
     ASSERT_LE(survival.total(), 1 + 1e-15);
-    EXPECT_EQ(survival.chosenBy(0.99 * survival.diffuse), Reflection::Diffuse);
-    EXPECT_EQ(survival.chosenBy(survival.diffuse), Reflection::Specular);
-    for (const Reflection reflection : { Reflection::Diffuse, Reflection::Specular })
+    EXPECT_FALSE(survival.isSpecularAt(0.99 * survival.diffuse));
+    EXPECT_EQ(survival.isSpecularAt(survival.diffuse), survival.specular > 0);
+    for (const bool isSpecular : { false, true })
     {
-      const auto& reflectance = reflection == Reflection::Diffuse ? one.diffuse : one.specular;
-      const double probability = survival.of(reflection);
+      const auto& reflectance = isSpecular ? one.specular : one.diffuse;
+      const double probability = survival.of(isSpecular);
       if (probability == 0)
       {
         continue;
       }
-      const Power after = survivingPower(power, material, 0, reflection, probability);
+      const Power after = survivingPower(power, material, 0, isSpecular, probability);
       EXPECT_EQ(after.largest() > kQuanta, one.isScaled);
       expectReflected(after, probability, power, reflectance);
     }
@@ -286,14 +285,14 @@ TEST(Absorption, OneBandSurvivesWithTheSumOfItsReflectancesAndKeepsItsPower)
   {
     const Material diffuse = oneTriangle({ reflectance, 0, 0 }, 1);
     EXPECT_EQ(survivalProbabilities(photon, diffuse, 0).total(), reflectance);
-    EXPECT_EQ(survivingPower(photon, diffuse, 0, Reflection::Diffuse, reflectance), photon);
+    EXPECT_EQ(survivingPower(photon, diffuse, 0, false, reflectance), photon);
   }
   Material material = oneTriangle({ 0.3, 0, 0 }, 1);
   material.setSpecular({ 0.6 }, { kInfinity });
   const SurvivalProbabilities survival = survivalProbabilities(photon, material, 0);
   EXPECT_EQ(survival.diffuse, 0.3);
   EXPECT_NEAR(survival.total(), 0.9, 1e-15);
-  EXPECT_EQ(survivingPower(photon, material, 0, Reflection::Specular, 0.6), photon);
+  EXPECT_EQ(survivingPower(photon, material, 0, true, 0.6), photon);
 }
 
 }

@@ -4,7 +4,6 @@
 #include "DirectLight/FirstHits.h"
 #include "DirectLight/PowerClasses.h"
 #include "Kit.h"
-#include "Surfaces/MeanReflectance.h"
 
 namespace irradiance::test
 {

@@ -2,7 +2,6 @@
 #include "Kit.h"
 #include "Meshes/SurfacePoint.h"
 #include "Sampling/SobolPoint.h"
-#include "Surfaces/CellLook.h"
 #include "Surfaces/SceneTriangles.h"
 
 namespace irradiance::test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trees/AxisPlanes.h"
 
-#include "Kernels/QueryCounts.h"
+#include "Kernels/CountedBlocks.h"
 #include "Trees/KdBounds.h"
 
 #include "TestRays.h"
@@ -169,12 +169,12 @@ TEST(AxisPlanes, TheWallThatARayLeavesIsNotSearched)
       inwards + 0.1 * random.inCube(), { 0, i } });
   }
   const auto blocksOf = [&] {
-    QueryCounts counts;
-    queryCounts() = &counts;
+    std::uint64_t blocks = 0;
+    countedBlocks() = &blocks;
     std::vector<Hit> hits(rays.size());
     made.cast(rays.data(), rays.size(), hits.data());
-    queryCounts() = nullptr;
-    return static_cast<double>(counts.blocks) / static_cast<double>(rays.size());
+    countedBlocks() = nullptr;
+    return static_cast<double>(blocks) / static_cast<double>(rays.size());
   };
   const double known = blocksOf();
   for (Ray& ray : rays)

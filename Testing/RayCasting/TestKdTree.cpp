@@ -116,7 +116,7 @@ TEST_P(KdTreeLaw, KeepsABetterHit)
       {
         rays.push_back(ray);
         given.push_back(best);
-        expected.push_back(isCloser(nearest, best) ? nearest : best);
+        expected.push_back(test::isCloser(nearest, best) ? nearest : best);
       }
     }
     const auto found = test::hitsOf(scene, records, &FrontCast::cast, rays, given);

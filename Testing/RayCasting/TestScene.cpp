@@ -269,14 +269,14 @@ TEST(Scene, GivesWorldTrianglesAndNormals)
   const Ray up{ { 0.5, -0.25, 2 }, { 0, 0, 3 }, {} };
   const Hit hit = scene.cast(up);
   ASSERT_EQ(hit, (Hit{ 1, { 1, 0 } }));
-  const SurfacePoint point = scene.surfaceAt(up.direction, hit);
+  const SurfacePoint point = test::surfaceAt(scene, up.direction, hit);
   // The mirrored triangle's front looks down, against the ray.
   EXPECT_TRUE(point.isFront);
   EXPECT_EQ(point.normal, Vector3(0, 0, -1));
   EXPECT_LT((point.position - Vector3(0.5, -0.25, 5)).norm(), 1e-14);
 
   const Ray down{ { 0.5, -0.25, 8 }, { 0, 0, -3 }, {} };
-  const SurfacePoint back = scene.surfaceAt(down.direction, scene.cast(down));
+  const SurfacePoint back = test::surfaceAt(scene, down.direction, scene.cast(down));
   EXPECT_FALSE(back.isFront);
   EXPECT_EQ(back.normal, Vector3(0, 0, 1));
 }
@@ -309,8 +309,8 @@ TEST(Scene, ScalesExactly)
         const Hit found = other.cast(scaledRay);
         if (expected)
         {
-          const SurfacePoint p = one.surfaceAt(ray.direction, expected),
-                             q = other.surfaceAt(scaledRay.direction, found);
+          const SurfacePoint p = test::surfaceAt(one, ray.direction, expected),
+                             q = test::surfaceAt(other, scaledRay.direction, found);
           EXPECT_EQ(q.position, factor * p.position);
           EXPECT_EQ(q.clearance, factor * p.clearance);
           EXPECT_EQ(q.normal, p.normal);

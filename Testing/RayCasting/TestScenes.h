@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -46,6 +47,20 @@ struct NamedScene
 inline void PrintTo(const NamedScene& scene, std::ostream* out)
 {
   *out << scene.name;
+}
+
+/// The total order that makes the closest hit unique in whichever order triangles are visited.
+inline bool isCloser(const Hit& a, const Hit& b)
+{
+  return std::tie(a.distance, a.id) < std::tie(b.distance, b.id);
+}
+
+/// The point of a hit. The normal is turned to the side from which a ray of this direction comes.
+inline SurfacePoint surfaceAt(const Scene& scene, const Vector3& direction, const Hit& hit)
+{
+  SurfacePoint point = scene.surfaceOf(hit, true);
+  point.turn(direction.dot(point.normal) <= 0);
+  return point;
 }
 
 /// The closest hit among the chosen objects (0: static) without any tree, if closer than `best`.

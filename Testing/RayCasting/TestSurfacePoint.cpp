@@ -3,6 +3,7 @@
 
 #include "TestMeshes.h"
 #include "TestRays.h"
+#include "TestScenes.h"
 
 #include <gtest/gtest.h>
 
@@ -79,7 +80,8 @@ TEST_P(SpawnedRays, StayInAClosedMesh)
     const Ray ray{ point.clearPosition(), randomDirection(point.normal, random), start };
     const Hit hit = scene.cast(ray);
     const bool isLeak = !hit;
-    const bool isLoss = hit && scene.surfaceAt(ray.direction, hit).isFront; // hit from outside
+    const bool isLoss =
+      hit && test::surfaceAt(scene, ray.direction, hit).isFront; // hit from outside
     leaks += isLeak ? 1 : 0;
     losses += isLoss ? 1 : 0;
     if ((isLeak || isLoss) && leaks + losses <= 3)

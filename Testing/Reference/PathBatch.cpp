@@ -95,9 +95,13 @@ void PathBatch::extendAll()
     for (std::size_t i = 0; i < growing_.size(); ++i)
     {
       const Hit& hit = hits_[i];
-      if (hit &&
-        growing_[i]->arrive(
-          vertexOn(tracing_.objects, hit.id, tracing_.scene.surfaceAt(rays_[i].direction, hit))))
+      if (!hit)
+      {
+        continue;
+      }
+      SurfacePoint point = tracing_.scene.surfaceOf(hit, true);
+      point.turn(rays_[i].direction.dot(point.normal) <= 0);
+      if (growing_[i]->arrive(vertexOn(tracing_.objects, hit.id, point)))
       {
         growing_[kept++] = growing_[i];
       }

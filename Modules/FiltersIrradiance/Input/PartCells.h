@@ -2,7 +2,7 @@
 #ifndef irradiance_PartCells_h
 #define irradiance_PartCells_h
 
-#include "Surfaces/SceneCell.h"
+#include "Surfaces/SceneCells.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"

@@ -156,10 +156,7 @@ std::optional<SceneCell> cellOf(
 std::uint64_t WalksRequest::hash() const
 {
   Hash hash;
-  hash.add(count);
-  hash.add(port);
-  hash.add(connection);
-  hash.add(cell);
+  hash.add(count, port, connection, cell);
   return hash.value();
 }
 

@@ -3,7 +3,6 @@
 
 #include "History/BounceBlock.h"
 #include "Progress/InputError.h"
-#include "Surfaces/MeanReflectance.h"
 
 #include "vtksys/SystemInformation.hxx"
 

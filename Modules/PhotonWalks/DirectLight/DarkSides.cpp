@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectLight/DarkSides.h"
 
-#include "Surfaces/Touching.h"
+#include "Surfaces/CoincidentTriangles.h"
 
 #include <algorithm>
 

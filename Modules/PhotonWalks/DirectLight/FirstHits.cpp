@@ -4,7 +4,7 @@
 #include "Sampling/DirectionSampling.h"
 #include "Sampling/SobolPoint.h"
 #include "Scene/Scene.h"
-#include "Surfaces/Touching.h"
+#include "Surfaces/CoincidentTriangles.h"
 
 #include <algorithm>
 #include <array>

@@ -405,8 +405,7 @@ void FinalGatherPaths::goOn(
   {
     return;
   }
-  const Reflection reflection = survival.chosenBy(chance);
-  const bool isDiffuse = reflection == Reflection::Diffuse;
+  const bool isDiffuse = !survival.isSpecularAt(chance);
   if (isDiffuse && arrival.isKnown)
   {
     return;
@@ -416,7 +415,7 @@ void FinalGatherPaths::goOn(
   for (int band = 0; bands_ > 1 && band < bands_; ++band)
   {
     const auto i = static_cast<std::size_t>(band);
-    next.weight[i] *= (isDiffuse ? diffuse : specular)[i] / survival.of(reflection);
+    next.weight[i] *= (isDiffuse ? diffuse : specular)[i] / survival.of(!isDiffuse);
   }
   const PathVertex vertex = vertexOf(scene, ray, arrival);
   if (!isDiffuse)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "History/PointGrid.h"
 
+#include "Surfaces/CoincidentTriangles.h"
 #include "Surfaces/SceneObjects.h"
-#include "Surfaces/Touching.h"
 
 #include <algorithm>
 #include <cmath>

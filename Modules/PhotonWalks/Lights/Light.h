@@ -6,9 +6,8 @@
 #include "Lights/PointLight.h"
 #include "Meshes/SurfacePoint.h"
 #include "Sampling/DirectionSampling.h"
-#include "Surfaces/Bands.h"
-#include "Surfaces/SceneCell.h"
-#include "Surfaces/SceneObjects.h"
+#include "Surfaces/Power.h"
+#include "Surfaces/SceneCells.h"
 
 #include <array>
 #include <utility>

@@ -2,7 +2,7 @@
 #include "Lights/PointLight.h"
 
 #include "Sampling/DirectionSampling.h"
-#include "Surfaces/Touching.h"
+#include "Surfaces/CoincidentTriangles.h"
 
 #include <algorithm>
 #include <sstream>

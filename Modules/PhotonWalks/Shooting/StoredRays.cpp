@@ -128,9 +128,8 @@ void StoredRays::findSpecular(
       continue;
     }
     const Power incoming = history.power(SegmentPlace{ front.block[row], front.parent[row] });
-    const Reflection reflection = tracer.stages().reflectionAt(
-      triangles.idOf(front.start[row]), front.walk[row], front.bounce[row], incoming);
-    if (reflection == Reflection::Specular)
+    if (tracer.stages().isReflectedSpecularly(
+          triangles.idOf(front.start[row]), front.walk[row], front.bounce[row], incoming))
     {
       front.isSpecular[row] = 1;
       specularRows_.push_back(static_cast<std::uint32_t>(row));

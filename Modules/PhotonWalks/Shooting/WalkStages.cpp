@@ -186,12 +186,11 @@ void WalkStages::decideByPowers(WalkFront& front) const
     const double sample = SobolPoint::toUnit(front.candidate[i]);
     if (sample < survival.total())
     {
-      const Reflection reflection =
-        survival.specular == 0 ? Reflection::Diffuse : survival.chosenBy(sample);
+      const bool isSpecular = survival.isSpecularAt(sample);
       front.survivors[i / WalkFront::kGroup] |= 1u << i % WalkFront::kGroup;
-      front.isSpecular[i] = reflection == Reflection::Specular ? 1 : 0;
+      front.isSpecular[i] = isSpecular ? 1 : 0;
       front.setPower(
-        i, bands(), survivingPower(incoming, material, cell, reflection, survival.of(reflection)));
+        i, bands(), survivingPower(incoming, material, cell, isSpecular, survival.of(isSpecular)));
     }
   }
 }
@@ -206,9 +205,9 @@ void WalkStages::chooseReflections(WalkFront& front) const
     if (hit != WalkFront::kNone && triangles_.looks()[hit].isGlossy() &&
       (front.survivors[i / WalkFront::kGroup] >> i % WalkFront::kGroup & 1u) != 0)
     {
-      const Reflection reflection =
-        reflectionAt(triangles_.idOf(hit), front.walk[i], front.bounce[i] + 1, {});
-      front.isSpecular[i] = reflection == Reflection::Specular ? 1 : 0;
+      const bool isSpecular =
+        isReflectedSpecularly(triangles_.idOf(hit), front.walk[i], front.bounce[i] + 1, {});
+      front.isSpecular[i] = isSpecular ? 1 : 0;
     }
   }
 }
@@ -270,20 +269,19 @@ std::vector<std::pair<std::size_t, Vector3>> WalkStages::specularDirections(
   return directions;
 }
 
-Reflection WalkStages::reflectionAt(
+bool WalkStages::isReflectedSpecularly(
   const TriangleId& hit, std::uint32_t walk, std::uint32_t bounce, const Power& incoming) const
 {
   const Material& material = materialOf(hit.object);
   if (!material.isSpecular())
   {
-    return Reflection::Diffuse;
+    return false;
   }
   const SurvivalProbabilities probabilities =
     survivalProbabilities(incoming, material, cellOf(hit));
   // Most cells of a shiny object may be matte: what survives there needs no sample.
-  return probabilities.specular == 0
-    ? Reflection::Diffuse
-    : probabilities.chosenBy(samples_.sample(walk, bounce, SampleUse::Survival)[0]);
+  return probabilities.specular != 0 &&
+    probabilities.isSpecularAt(samples_.sample(walk, bounce, SampleUse::Survival)[0]);
 }
 
 }

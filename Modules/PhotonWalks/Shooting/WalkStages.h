@@ -87,9 +87,9 @@ public:
   {
     return materialOf(id.object).cellOfTriangle[id.triangle];
   }
-  /// How a walk leaves the hit of its segment before `bounce`, given that it survives. `incoming`:
+  /// Of the hit of a walk's segment before `bounce`, given that it survives there. `incoming`:
   /// the power of that segment; matters only if there are several bands.
-  Reflection reflectionAt(
+  bool isReflectedSpecularly(
     const TriangleId& hit, std::uint32_t walk, std::uint32_t bounce, const Power& incoming) const;
 
 private:

@@ -10,13 +10,6 @@
 namespace irradiance
 {
 
-/// How a walk leaves a hit.
-enum class Reflection
-{
-  Diffuse,
-  Specular
-};
-
 /// The probabilities with which a walk survives a hit. One sample decides: below `diffuse` the walk
 /// leaves diffusely, then up to their sum specularly, else it is absorbed.
 struct SurvivalProbabilities
@@ -24,14 +17,8 @@ struct SurvivalProbabilities
   double diffuse, specular = 0;
 
   double total() const { return diffuse + specular; }
-  double of(Reflection reflection) const
-  {
-    return reflection == Reflection::Diffuse ? diffuse : specular;
-  }
-  Reflection chosenBy(double sample) const
-  {
-    return sample < diffuse ? Reflection::Diffuse : Reflection::Specular;
-  }
+  double of(bool isSpecular) const { return isSpecular ? specular : diffuse; }
+  bool isSpecularAt(double sample) const { return specular != 0 && !(sample < diffuse); }
 };
 
 /// The part of the strongest band that a material of these reflectances (by band) reflects.
@@ -79,14 +66,14 @@ inline SurvivalProbabilities survivalProbabilities(
 /// power over the probability keeps the mean. Without scaling, see above, it leaves the strongest
 /// band what it had: one band keeps its power.
 inline Power survivingPower(const Power& incoming, const Material& material, std::size_t cell,
-  Reflection reflection, double probability)
+  bool isSpecular, double probability)
 {
   if (material.bands == 1)
   {
     return incoming;
   }
   const std::vector<double>& reflectances =
-    reflection == Reflection::Diffuse ? material.reflectance : material.specularReflectance;
+    isSpecular ? material.specularReflectance : material.reflectance;
   const double* const first = &reflectances[cell * static_cast<std::size_t>(material.bands)];
   const bool isScaled =
     material.isSpecular() && probability < reflectedPart(incoming, first, material.bands);

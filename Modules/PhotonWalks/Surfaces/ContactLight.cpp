@@ -2,7 +2,7 @@
 #include "Surfaces/ContactLight.h"
 
 #include "Meshes/ShellNesting.h"
-#include "Surfaces/Touching.h"
+#include "Surfaces/CoincidentTriangles.h"
 
 #include <algorithm>
 

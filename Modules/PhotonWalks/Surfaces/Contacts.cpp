@@ -3,7 +3,6 @@
 
 #include "Meshes/ShellNesting.h"
 #include "Surfaces/ContactLight.h"
-#include "Surfaces/Touching.h"
 #include "Trees/LeafQuery.h"
 
 #include <algorithm>
@@ -101,24 +100,20 @@ void Contacts::update(const SceneObjects& objects, const std::vector<bool>& move
 void Contacts::findWithin(const SceneObjects& objects, Execution& execution)
 {
   own_.resize(objects.size());
-  std::vector<OwnPairs*> unknown;
+  std::vector<std::uint32_t> unknown;
   std::vector<const RigidObject*> bodies;
   for (std::uint32_t i = 0; i < objects.size(); ++i)
   {
     if (objects[i].isPresent && own_[i].body != objects[i].body)
     {
-      unknown.push_back(&own_[i]);
+      unknown.push_back(i);
       bodies.push_back(objects[i].body.get());
     }
   }
   std::vector<std::vector<TrianglePair>> found = coincidentWithin(bodies, execution);
   for (std::size_t i = 0; i < unknown.size(); ++i)
   {
-    unknown[i]->pairs = std::move(found[i]);
-  }
-  for (std::uint32_t i = 0; i < objects.size(); ++i)
-  {
-    own_[i].body = objects[i].isPresent ? objects[i].body : own_[i].body;
+    own_[unknown[i]] = { objects[unknown[i]].body, std::move(found[i]) };
   }
 }
 
@@ -137,41 +132,32 @@ void Contacts::findBetween(
       between_.push_back({ { i, first }, { k, second } });
     }
   });
-  std::sort(between_.begin(), between_.end(), [](const Pair& a, const Pair& b) {
-    return std::tie(a.first.object, a.first.triangle, a.second.object, a.second.triangle) <
-      std::tie(b.first.object, b.first.triangle, b.second.object, b.second.triangle);
-  });
+  std::sort(between_.begin(), between_.end());
 }
 
 std::vector<Contacts::Pair> Contacts::litPairs(
   const SceneObjects& objects, ObjectSides& sides, const CancelPoint& cancelPoint) const
 {
   std::vector<Pair> lit;
-  if (between_.empty() &&
-    std::all_of(own_.begin(), own_.end(), [](const OwnPairs& own) { return own.pairs.empty(); }))
+  for (std::uint32_t i = 0; i < objects.size(); ++i)
+  {
+    for (std::size_t k = 0; objects[i].isPresent && k < own_[i].pairs.size(); ++k)
+    {
+      lit.push_back({ { i, own_[i].pairs[k].first }, { i, own_[i].pairs[k].second } });
+    }
+  }
+  lit.insert(lit.end(), between_.begin(), between_.end());
+  if (lit.empty())
   {
     return lit; // as in most scenes: looking for lamps would cost time
   }
   ContactLight light(objects, sides, cancelPoint);
   ThrottledCancelPoint pace(cancelPoint);
-  const auto add = [&](const TriangleId& s, const TriangleId& t) {
+  const auto isDark = [&](const Pair& pair) {
     pace.step(16);
-    if (light.mayCome(s, t))
-    {
-      lit.push_back({ s, t });
-    }
+    return !light.mayCome(pair.first, pair.second);
   };
-  for (std::uint32_t i = 0; i < objects.size(); ++i)
-  {
-    for (std::size_t k = 0; objects[i].isPresent && k < own_[i].pairs.size(); ++k)
-    {
-      add({ i, own_[i].pairs[k].first }, { i, own_[i].pairs[k].second });
-    }
-  }
-  for (const auto& [s, t] : between_)
-  {
-    add(s, t);
-  }
+  lit.erase(std::remove_if(lit.begin(), lit.end(), isDark), lit.end());
   return lit;
 }
 
@@ -223,10 +209,8 @@ Contacts::ContactTriangle Contacts::contactTriangleOf(const SceneObjects& object
 
 void Contacts::finish(Contact& contact, const SceneObjects& objects, const CancelPoint& cancelPoint)
 {
-  const auto order = [](const ContactTriangle& a, const ContactTriangle& b) {
-    return std::tie(a.id.object, a.id.triangle) < std::tie(b.id.object, b.id.triangle);
-  };
-  std::sort(contact.partners.begin(), contact.partners.end(), order);
+  std::sort(contact.partners.begin(), contact.partners.end(),
+    [](const ContactTriangle& a, const ContactTriangle& b) { return a.id < b.id; });
   std::vector<Box> boxes;
   for (std::uint32_t i = 0; i < contact.partners.size(); ++i)
   {
@@ -313,17 +297,11 @@ private:
     return !entry.triangle->isLamp ? 2 : entry.isFront ? 1 : 3;
   }
   /// Sheets do not stop what leaves other sheets.
-  int layerOf(const Entry& entry) const
-  {
-    const int rank = rankOf(entry);
-    return entry.into == 0 ? 1 : rank;
-  }
+  int layerOf(const Entry& entry) const { return entry.into == 0 ? 1 : rankOf(entry); }
   /// What is smaller lies on what is larger; of what is as large, what faces the ray.
-  std::tuple<int, double, bool, std::uint32_t, std::uint32_t> orderOf(const Entry& entry) const
+  std::tuple<int, double, bool, TriangleId> orderOf(const Entry& entry) const
   {
-    const ContactTriangle& triangle = *entry.triangle;
-    return { rankOf(entry), triangle.size, !entry.isFront, triangle.id.object,
-      triangle.id.triangle };
+    return { rankOf(entry), entry.triangle->size, !entry.isFront, entry.triangle->id };
   }
 
   const Scene& scene_;

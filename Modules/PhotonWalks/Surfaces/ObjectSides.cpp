@@ -10,6 +10,9 @@
 namespace irradiance
 {
 
+namespace
+{
+
 SolidSides solidSidesOf(const SceneObject& object, bool isStatic, const CancelPoint& cancelPoint)
 {
   std::vector<Triangle> triangles = object.body->mesh().triangles();
@@ -25,6 +28,8 @@ SolidSides solidSidesOf(const SceneObject& object, bool isStatic, const CancelPo
     parts.push_back(object.material->partOfCell(object.material->cellOfTriangle[i]));
   }
   return solidSides(triangles, parts, lamps, isStatic, cancelPoint);
+}
+
 }
 
 std::vector<SolidSide> solidSidesInModel(

@@ -5,22 +5,19 @@
 #include "Meshes/SolidSides.h"
 #include "Surfaces/SceneObjects.h"
 
-#include <memory>
 #include <vector>
 
 namespace irradiance
 {
 
-/// The solid sides of an object's triangles, of their fronts as its pose leaves them: one that
-/// mirrors turns them over. Bounds are in its own space. The static object may hold rooms.
-SolidSides solidSidesOf(const SceneObject& object, bool isStatic, const CancelPoint& cancelPoint);
-
-/// Those of the fronts in the object's own space.
+/// The solid sides of an object's triangles, of their fronts in its own space. The static object
+/// may hold rooms.
 std::vector<SolidSide> solidSidesInModel(
   const SceneObject& object, bool isStatic, const CancelPoint& cancelPoint);
 
-/// The solid sides of all objects. They are found when first asked for, and hold while an object's
-/// body, material and emission stay.
+/// The solid sides of all objects, of fronts as a pose leaves them: one that mirrors turns them
+/// over. Bounds are in an object's own space. They are found when first asked for, and hold while
+/// its body, material and emission stay.
 class ObjectSides
 {
 public:

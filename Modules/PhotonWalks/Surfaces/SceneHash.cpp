@@ -12,30 +12,22 @@ void add(const TriangleMesh& mesh, Hash& hash)
   hash.add(mesh.size());
   for (const Triangle& triangle : mesh.triangles())
   {
-    hash.add(triangle.a);
-    hash.add(triangle.b);
-    hash.add(triangle.c);
+    hash.add(triangle.a, triangle.b, triangle.c);
   }
 }
 
 void add(const Material& material, Hash& hash)
 {
-  hash.add(material.bands);
-  hash.add(material.cellOfTriangle);
-  hash.add(material.reflectance);
-  hash.add(material.specularReflectance);
-  hash.add(material.phongExponent);
+  hash.add(material.bands, material.cellOfTriangle, material.reflectance,
+    material.specularReflectance, material.phongExponent);
 }
 
 void add(const Emission& emission, Hash& hash)
 {
-  hash.add(emission.exitance);
-  hash.add(emission.groups);
+  hash.add(emission.exitance, emission.groups);
   for (const PointSource& source : emission.points)
   {
-    hash.add(source.position);
-    hash.add(source.flux);
-    hash.add(source.cell);
+    hash.add(source.position, source.flux, source.cell);
   }
 }
 
@@ -52,8 +44,7 @@ void addScene(const SceneObjects& objects, const SceneObjects* known, Hash& hash
     {
       hash.add(Vector3(object.worldFromObject.linear.row(row)));
     }
-    hash.add(object.worldFromObject.translation);
-    hash.add(object.isPresent);
+    hash.add(object.worldFromObject.translation, object.isPresent);
     if (!before || before->body != object.body)
     {
       add(object.body->mesh(), hash);

@@ -39,6 +39,14 @@ public:
     }
   }
 
+  template <class First, class Second, class... Rest>
+  void add(const First& first, const Second& second, const Rest&... rest)
+  {
+    add(first);
+    add(second);
+    (add(rest), ...);
+  }
+
   std::uint64_t value() const { return value_; }
 
 private:

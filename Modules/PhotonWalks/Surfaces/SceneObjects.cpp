@@ -47,4 +47,17 @@ std::vector<double> cellAreas(const SceneObject& object, const CancelPoint& canc
   return areas;
 }
 
+double meanReflectance(const SceneObject& object)
+{
+  const std::vector<Triangle>& triangles = object.body->mesh().triangles();
+  double area = 0, reflected = 0;
+  for (std::uint32_t i = 0; i < triangles.size(); ++i)
+  {
+    const double its = triangles[i].area();
+    reflected += its * object.material->reflectedOf(i);
+    area += its;
+  }
+  return area > 0 ? reflected / area : 0;
+}
+
 }

@@ -27,7 +27,7 @@ void SceneTriangles::update(const SceneObjects& objects, const CancelPoint& canc
   {
     Origin origin{ objects[object].material, cells[{ object, 0 }], numbers().first(object),
       numbers().first(object + 1) };
-    if (!(origins_[object] == origin))
+    if (origins_[object] != origin)
     {
       origins_[object] = {}; // for the case that the work is cancelled
       isGlossy_[object] = fill(origin, pace);
@@ -39,13 +39,13 @@ void SceneTriangles::update(const SceneObjects& objects, const CancelPoint& canc
 
 bool SceneTriangles::fill(const Origin& origin, ThrottledCancelPoint& pace)
 {
-  const Material& material = *origin.material;
+  const auto& [material, firstCell, first, end] = origin;
   bool isGlossy = false;
-  for (std::uint32_t number = origin.first; number < origin.end; ++number)
+  for (std::uint32_t number = first; number < end; ++number)
   {
-    const std::uint32_t cell = material.cellOfTriangle[number - origin.first];
-    looks_[number] = CellLook(static_cast<std::uint32_t>(origin.firstCell + cell),
-      material.bands == 1 ? material.totalReflectance()[cell] : 0.0, material.isSpecular(cell));
+    const std::uint32_t cell = material->cellOfTriangle[number - first];
+    looks_[number] = CellLook(static_cast<std::uint32_t>(firstCell + cell),
+      material->bands == 1 ? material->totalReflectance()[cell] : 0.0, material->isSpecular(cell));
     isGlossy = isGlossy || looks_[number].isGlossy();
     pace.step();
   }

@@ -5,7 +5,6 @@
 #include "Execution/Ranks.h"
 #include "Geometry/Ray.h"
 #include "Sampling/WalkPlan.h"
-#include "Surfaces/Bands.h"
 #include "Surfaces/Power.h"
 #include "Surfaces/SceneCells.h"
 

@@ -4,7 +4,6 @@
 #include "DirectLight/DirectPilot.h"
 #include "DirectLight/FirstHits.h"
 #include "Repair/SceneChange.h"
-#include "Surfaces/MeanReflectance.h"
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstdint>
-#include <tuple>
 
 namespace irradiance
 {
@@ -26,6 +25,10 @@ struct TriangleId
     return a.object == b.object && a.triangle == b.triangle;
   }
   friend bool operator!=(const TriangleId& a, const TriangleId& b) { return !(a == b); }
+  friend bool operator<(const TriangleId& a, const TriangleId& b)
+  {
+    return a.object != b.object ? a.object < b.object : a.triangle < b.triangle;
+  }
 };
 
 /// Half-line in world space. `start` is the triangle that it leaves and cannot hit again.
@@ -59,13 +62,6 @@ inline Vector3 weightsOf(const Hit& hit)
 {
   const double b = hit.weights[0], c = hit.weights[1];
   return { 1 - b - c, b, c };
-}
-
-/// The total order that makes the closest hit unique in whichever order triangles are visited.
-inline bool isCloser(const Hit& a, const Hit& b)
-{
-  return std::tie(a.distance, a.id.object, a.id.triangle) <
-    std::tie(b.distance, b.id.object, b.id.triangle);
 }
 
 }

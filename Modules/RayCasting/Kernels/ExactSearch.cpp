@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Kernels/FrontStages.h"
-#include "Kernels/QueryCounts.h"
+#include "Kernels/CountedBlocks.h"
 #include "Trees/KdTreeBuilder.h"
 
 #include <algorithm>
@@ -74,9 +74,9 @@ public:
                                       : testLeaf(tree_.blocks() + (child & ~Treelet::kLeaf));
       }
     }
-    if (queryCounts())
+    if (countedBlocks())
     {
-      *queryCounts() += counts_;
+      *countedBlocks() += blocks_;
     }
   }
 
@@ -92,7 +92,6 @@ private:
   /// Pushes the boxes that the ray passes, from far to near.
   void stepInto(const Treelet& treelet)
   {
-    ++counts_.treelets;
     double from[Treelet::kSize], to[Treelet::kSize];
     std::fill_n(from, Treelet::kSize, 0.0);
     std::fill_n(to, Treelet::kSize, limit_);
@@ -126,7 +125,7 @@ private:
         setLimit();
       }
     });
-    counts_.blocks += static_cast<std::uint64_t>(end - block);
+    blocks_ += static_cast<std::uint64_t>(end - block);
   }
 
   void setLimit() { limit_ = best_ * rate_ + tree_.slack(); }
@@ -144,7 +143,7 @@ private:
   double limit_ = 0;   ///< nothing behind it matters, in the frame
   PaddedRay padded_;
   unsigned octant_;
-  QueryCounts counts_;
+  std::uint64_t blocks_ = 0; ///< that were tested
   int depth_ = 0;
   /// Children, as in treelets, and where the ray enters them.
   std::pair<std::uint32_t, double> stack_[(KdTree::kMaxDepth + 1) * (Treelet::kSize - 1) + 2];

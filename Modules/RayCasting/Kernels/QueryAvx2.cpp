@@ -2,7 +2,7 @@
 #ifdef __x86_64__
 
 #include "Kernels/FrontStages.h"
-#include "Kernels/QueryCounts.h"
+#include "Kernels/CountedBlocks.h"
 #include "Simd/SimdTarget.h"
 #include "Trees/KdTreeBuilder.h"
 

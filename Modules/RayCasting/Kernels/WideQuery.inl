@@ -78,7 +78,7 @@ struct WideSearch
   TreeQuery query;
   BoxFaces faces;
   Candidates candidates;
-  QueryCounts counts; ///< of all searches that this object ran
+  std::uint64_t blocks = 0; ///< that all searches of this object tested
   std::uint32_t child;
   unsigned depth;
   /// Each has a child left, except the first, which ends the search, and the one beyond the top.
@@ -105,10 +105,6 @@ struct WideSearch
   {
     if ((child & Treelet::kLeaf) == 0)
     {
-      if constexpr (isCounted)
-      {
-        ++counts.treelets;
-      }
       const Treelet& treelet = query.tree->treelets()[child];
       Left& top = stack[depth];
       top.treelet = &treelet;
@@ -172,7 +168,7 @@ private:
       hasMore = !block->isLast();
       if constexpr (isCounted)
       {
-        ++counts.blocks;
+        ++blocks;
       }
       for (unsigned first = 0; first < TriangleBlock::kSize; first += Lanes::kCount)
       {
@@ -281,7 +277,7 @@ void runInTurns(FrontQueue& queue)
     }
     if constexpr (isCounted)
     {
-      *queryCounts() += searches[i].counts;
+      *countedBlocks() += searches[i].blocks;
     }
   }
 }
@@ -292,7 +288,7 @@ void runSearches(FrontSearches& searches)
 {
   FrontQueue queue(searches);
 #ifdef VTKIRRADIANCE_COUNT_QUERIES
-  if (queryCounts())
+  if (countedBlocks())
   {
     runInTurns<Boxes, Lanes, true>(queue);
     return;

@@ -10,40 +10,34 @@ namespace irradiance
 namespace
 {
 
-/// A disc around the origin of a plane through the origin.
-struct Disc
+/// The signed area that a disc around the origin of a plane through it has within the triangle of
+/// the origin, p and q: a triangle under the part of the edge inside the disc, sectors under the
+/// others. `normal`: a unit vector.
+double underEdge(const Vector3& normal, double squaredRadius, const Vector3& p, const Vector3& q)
 {
-  Vector3 normal; ///< unit vector
-  double squaredRadius;
-
-  double twiceSigned(const Vector3& p, const Vector3& q) const { return normal.dot(p.cross(q)); }
-  double sector(const Vector3& p, const Vector3& q) const
+  const auto twiceSigned = [&](const Vector3& a, const Vector3& b) {
+    return normal.dot(a.cross(b));
+  };
+  const auto sector = [&](const Vector3& a, const Vector3& b) {
+    return 0.5 * squaredRadius * std::atan2(twiceSigned(a, b), a.dot(b));
+  };
+  const Vector3 edge = q - p;
+  const double a = edge.squaredNorm(), b = p.dot(edge), c = p.squaredNorm() - squaredRadius;
+  const double discriminant = b * b - a * c;
+  if (!(discriminant > 0))
   {
-    return 0.5 * squaredRadius * std::atan2(twiceSigned(p, q), p.dot(q));
+    return sector(p, q);
   }
-
-  /// The signed area of the disc within the triangle of its centre, p and q: a triangle under the
-  /// part of the edge inside the disc, sectors under the others.
-  double under(const Vector3& p, const Vector3& q) const
+  const double root = std::sqrt(discriminant);
+  const double enters = (-b - root) / a, leaves = (-b + root) / a;
+  if (!(enters < 1 && leaves > 0))
   {
-    const Vector3 edge = q - p;
-    const double a = edge.squaredNorm(), b = p.dot(edge), c = p.squaredNorm() - squaredRadius;
-    const double discriminant = b * b - a * c;
-    if (!(discriminant > 0))
-    {
-      return sector(p, q);
-    }
-    const double root = std::sqrt(discriminant);
-    const double enters = (-b - root) / a, leaves = (-b + root) / a;
-    if (!(enters < 1 && leaves > 0))
-    {
-      return sector(p, q);
-    }
-    const Vector3 from = p + std::max(enters, 0.0) * edge, to = p + std::min(leaves, 1.0) * edge;
-    return (enters > 0 ? sector(p, from) : 0) + 0.5 * twiceSigned(from, to) +
-      (leaves < 1 ? sector(to, q) : 0);
+    return sector(p, q);
   }
-};
+  const Vector3 from = p + std::max(enters, 0.0) * edge, to = p + std::min(leaves, 1.0) * edge;
+  return (enters > 0 ? sector(p, from) : 0) + 0.5 * twiceSigned(from, to) +
+    (leaves < 1 ? sector(to, q) : 0);
+}
 
 Vector3 closestOnEdge(const Vector3& from, const Vector3& edge)
 {
@@ -74,13 +68,16 @@ double areaInSphere(const Triangle& triangle, double radius)
     return 0.5 * twice;
   }
   const Vector3 normal = area / twice, foot = normal.dot(triangle.a) * normal;
-  const Disc disc{ normal, squaredRadius - foot.squaredNorm() };
-  if (!(disc.squaredRadius > 0))
+  const double squaredOfDisc = squaredRadius - foot.squaredNorm();
+  if (!(squaredOfDisc > 0))
   {
     return 0;
   }
   const Vector3 a = triangle.a - foot, b = triangle.b - foot, c = triangle.c - foot;
-  return std::clamp(disc.under(a, b) + disc.under(b, c) + disc.under(c, a), 0.0, 0.5 * twice);
+  const auto under = [&](const Vector3& p, const Vector3& q) {
+    return underEdge(normal, squaredOfDisc, p, q);
+  };
+  return std::clamp(under(a, b) + under(b, c) + under(c, a), 0.0, 0.5 * twice);
 }
 
 /// By the region of the plane that the origin's foot lies in (Ericson, Real-Time Collision

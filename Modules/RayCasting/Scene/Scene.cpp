@@ -260,13 +260,6 @@ void Scene::cast(const Ray* rays, std::size_t count, Hit* hits) const
   cast.cast(*this, rays, count, hits);
 }
 
-SurfacePoint Scene::surfaceAt(const Vector3& direction, const Hit& hit) const
-{
-  SurfacePoint point = surfaceOf(hit, true);
-  point.turn(direction.dot(point.normal) <= 0);
-  return point;
-}
-
 SurfacePoint Scene::surfaceOf(const Hit& hit, bool isFront) const
 {
   SurfacePoint point = surfacePoint(worldTriangle(hit.id), weightsOf(hit));

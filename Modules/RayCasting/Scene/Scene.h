@@ -58,8 +58,6 @@ public:
   const Box& bounds() const { return bounds_; }
   /// The triangle in world space, its corners in the order of the mesh.
   Triangle worldTriangle(const TriangleId& id) const;
-  /// The point of a hit. The normal is turned to the side from which a ray of this direction comes.
-  SurfacePoint surfaceAt(const Vector3& direction, const Hit& hit) const;
   /// The point of a hit from the front or from the back. The normal is turned to that side.
   SurfacePoint surfaceOf(const Hit& hit, bool isFront) const;
   /// The hit of a ray on this triangle, even if something lies before it.

@@ -4,8 +4,7 @@
 
 #include "Execution/Execution.h"
 #include "Rivals/PhotonSet.h"
-#include "Surfaces/SceneCell.h"
-#include "Surfaces/SceneObjects.h"
+#include "Surfaces/SceneCells.h"
 
 #include <array>
 #include <memory>
