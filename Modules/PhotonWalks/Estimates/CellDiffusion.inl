@@ -12,24 +12,29 @@ inline double truncated(double number)
   return __builtin_trunc(number);
 }
 
+// No lambda: GCC 12 compiles one without the instructions of the target.
+template <class Numbers>
+inline Numbers load(const double* from)
+{
+  Numbers numbers;
+  __builtin_memcpy(&numbers, from, sizeof numbers);
+  return numbers;
+}
+
 /// `Numbers`: one, or a vector of several.
 template <class Numbers, unsigned kFields>
 inline void flowAcross(
   const CellDiffusion::Link* links, std::size_t count, const double* before, double* quanta)
 {
-  const auto load = [](const double* from) {
-    Numbers numbers;
-    __builtin_memcpy(&numbers, from, sizeof numbers);
-    return numbers;
-  };
   for (const CellDiffusion::Link* link = links; link != links + count; ++link)
   {
     const std::size_t a = std::size_t{ link->a } * kFields, b = std::size_t{ link->b } * kFields;
     for (unsigned k = 0; k < kFields; k += sizeof(Numbers) / sizeof(double))
     {
-      const Numbers across =
-        truncated(link->shareOfA * load(before + a + k) - link->shareOfB * load(before + b + k));
-      const Numbers ofA = load(quanta + a + k) - across, ofB = load(quanta + b + k) + across;
+      const Numbers across = truncated(link->shareOfA * load<Numbers>(before + a + k) -
+        link->shareOfB * load<Numbers>(before + b + k));
+      const Numbers ofA = load<Numbers>(quanta + a + k) - across;
+      const Numbers ofB = load<Numbers>(quanta + b + k) + across;
       __builtin_memcpy(quanta + a + k, &ofA, sizeof ofA);
       __builtin_memcpy(quanta + b + k, &ofB, sizeof ofB);
     }
