@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #ifdef __x86_64__
 
-#include "Kernels/FrontStages.h"
 #include "Kernels/CountedBlocks.h"
+#include "Kernels/FrontStages.h"
 #include "Simd/SimdTarget.h"
 #include "Trees/KdTreeBuilder.h"
 

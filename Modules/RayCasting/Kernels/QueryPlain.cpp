@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Kernels/FrontStages.h"
 #include "Kernels/CountedBlocks.h"
+#include "Kernels/FrontStages.h"
 #include "Trees/KdTreeBuilder.h"
 
 #include <algorithm>

@@ -15,9 +15,8 @@ namespace
 /// others. `normal`: a unit vector.
 double underEdge(const Vector3& normal, double squaredRadius, const Vector3& p, const Vector3& q)
 {
-  const auto twiceSigned = [&](const Vector3& a, const Vector3& b) {
-    return normal.dot(a.cross(b));
-  };
+  const auto twiceSigned = [&](
+                             const Vector3& a, const Vector3& b) { return normal.dot(a.cross(b)); };
   const auto sector = [&](const Vector3& a, const Vector3& b) {
     return 0.5 * squaredRadius * std::atan2(twiceSigned(a, b), a.dot(b));
   };
