@@ -26,10 +26,11 @@ template <class Numbers, unsigned kFields>
 inline void flowAcross(
   const CellDiffusion::Link* links, std::size_t count, const double* before, double* quanta)
 {
+  constexpr unsigned kTogether = sizeof(Numbers) / sizeof(double{}); // fields
   for (const CellDiffusion::Link* link = links; link != links + count; ++link)
   {
     const std::size_t a = std::size_t{ link->a } * kFields, b = std::size_t{ link->b } * kFields;
-    for (unsigned k = 0; k < kFields; k += sizeof(Numbers) / sizeof(double))
+    for (unsigned k = 0; k < kFields; k += kTogether)
     {
       const Numbers across = truncated(link->shareOfA * load<Numbers>(before + a + k) -
         link->shareOfB * load<Numbers>(before + b + k));

@@ -154,7 +154,7 @@ CellSums CellSpread::spread(
   std::vector<DiffusingFields> all;
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
-    addFields(objects_[object].diffusion, object, replicates * bands, all);
+    addFields(objects_[object].diffusion, object, std::size_t{ replicates } * bands, all);
   }
   const auto begin = [&](DiffusingFields& fields) {
     const unsigned shift = objects_[fields.object].shift;

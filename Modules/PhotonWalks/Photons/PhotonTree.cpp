@@ -265,13 +265,14 @@ void PhotonTree::build(
   std::size_t node, Photons::iterator begin, Photons::iterator end, std::size_t& spare)
 {
   const auto size = static_cast<std::size_t>(end - begin);
-  const auto [axis, width] = widestAxis(begin, end);
-  if (size <= PhotonPack::kSize || width == 0)
+  const auto widest = widestAxis(begin, end);
+  const auto axis = widest.first;
+  if (size <= PhotonPack::kSize || widest.second == 0)
   {
     return makeEnd(node, begin, size, spare);
   }
   const std::size_t packs = (size + kUsual - 1) / kUsual;
-  const auto byPlace = [axis = axis](const LeafPhoton& a, const LeafPhoton& b) {
+  const auto byPlace = [axis](const LeafPhoton& a, const LeafPhoton& b) {
     return a.position[axis] < b.position[axis];
   };
   auto middle = begin + static_cast<std::ptrdiff_t>(size * (packs / 2) / packs);

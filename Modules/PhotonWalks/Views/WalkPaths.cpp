@@ -2,6 +2,7 @@
 #include "Views/WalkPaths.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstring>
 #include <iterator>
@@ -22,9 +23,12 @@ void write(const WalkPath& path, std::vector<std::int64_t>& numbers)
       static_cast<std::int64_t>(path.firstRepaired),
       static_cast<std::int64_t>(path.points.size()) });
   numbers.insert(numbers.end(), path.power.quanta.begin(), path.power.quanta.end());
-  const std::size_t size = numbers.size();
-  numbers.resize(size + 3 * path.points.size());
-  std::memcpy(numbers.data() + size, path.points.data(), path.points.size() * sizeof(Vector3));
+  for (const Vector3& point : path.points)
+  {
+    std::array<std::int64_t, 3> bits;
+    std::memcpy(bits.data(), point.data(), sizeof bits);
+    numbers.insert(numbers.end(), bits.begin(), bits.end());
+  }
 }
 
 /// Leaves `next` behind what write() wrote.
@@ -40,8 +44,11 @@ WalkPath read(const std::int64_t*& next)
   {
     quanta = *next++;
   }
-  std::memcpy(path.points.front().data(), next, path.points.size() * sizeof(Vector3));
-  next += 3 * path.points.size();
+  for (Vector3& point : path.points)
+  {
+    std::memcpy(point.data(), next, 3 * sizeof *next);
+    next += 3;
+  }
   return path;
 }
 

@@ -90,7 +90,8 @@ struct KdTreeBuilder
   double leafCost(std::uint32_t primitives) const
   {
     const auto size = static_cast<std::uint32_t>(blockSize);
-    return intersectionCost * static_cast<double>((primitives + size - 1) / size);
+    const std::uint32_t blocks = (primitives + size - 1) / size;
+    return intersectionCost * blocks;
   }
   KdTree build(const std::vector<KdPrimitive>& primitives) const;
 };
