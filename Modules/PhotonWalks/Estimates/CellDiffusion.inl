@@ -26,7 +26,7 @@ template <class Numbers, unsigned kFields>
 inline void flowAcross(
   const CellDiffusion::Link* links, std::size_t count, const double* before, double* quanta)
 {
-  constexpr unsigned kTogether = sizeof(Numbers) / sizeof(double{}); // fields
+  constexpr unsigned kBytes = sizeof(double), kTogether = sizeof(Numbers) / kBytes; // fields
   for (const CellDiffusion::Link* link = links; link != links + count; ++link)
   {
     const std::size_t a = std::size_t{ link->a } * kFields, b = std::size_t{ link->b } * kFields;
