@@ -13,19 +13,6 @@ using namespace TestScenes;
 namespace
 {
 
-Mesh MakePolyData(const std::vector<Vector>& corners)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const Vector& corner : corners)
-  {
-    points->InsertNextPoint(corner.data());
-  }
-  auto mesh = Mesh::New();
-  mesh->SetPoints(points);
-  return mesh;
-}
-
 vtkSmartPointer<vtkCellArray> MakeCells(const std::vector<std::vector<vtkIdType>>& cells)
 {
   auto array = vtkSmartPointer<vtkCellArray>::New();
@@ -64,7 +51,7 @@ TEST(CellTypes, VerticesLinesPolygonsAndStripsInOneMesh)
   {
     corners.push_back({ 2.0 * (i % 4) - 3, 2.0 * (i / 4) - 2, 0 });
   }
-  Mesh mesh = MakePolyData(corners);
+  Mesh mesh = MakePoints(corners);
   mesh->SetVerts(MakeCells({ { 0 }, { 1, 2, 3 } }));
   mesh->SetLines(MakeCells({ { 0, 1 }, { 4, 5, 6 } }));
   mesh->SetPolys(MakeCells({ { 0, 1, 5 }, { 0, 5, 4 }, { 1, 2, 6, 5 } }));
@@ -75,7 +62,7 @@ TEST(CellTypes, VerticesLinesPolygonsAndStripsInOneMesh)
 TEST(CellTypes, ConcavePolygons)
 {
   // An arrowhead, whose notch is filled by another one, and a staircase.
-  Mesh mesh = MakePolyData(
+  Mesh mesh = MakePoints(
     { { 0, 0, 0 }, { 2, 2, 0 }, { 0, 1, 0 }, { -2, 2, 0 }, { 0, 3, 0 }, { -2, 0, 0 }, { -2, -3, 0 },
       { 2, -3, 0 }, { 2, -2, 0 }, { 0, -2, 0 }, { 0, -1, 0 }, { -1, -1, 0 }, { -1, 0, 0 } });
   mesh->SetPolys(MakeCells({ { 0, 1, 2, 3 }, { 2, 1, 4, 3 }, { 5, 6, 7, 8, 9, 10, 11, 12 } }));
@@ -85,7 +72,7 @@ TEST(CellTypes, ConcavePolygons)
 // A plate of 4 m with a hole of 2 m, cut open along one edge, 1 m above a floor, 2 m below a light.
 TEST(CellTypes, PolygonWithAHole)
 {
-  Mesh plate = MakePolyData({ { 0, 0, 1 }, { 4, 0, 1 }, { 4, 4, 1 }, { 0, 4, 1 }, { 1, 1, 1 },
+  Mesh plate = MakePoints({ { 0, 0, 1 }, { 4, 0, 1 }, { 4, 4, 1 }, { 0, 4, 1 }, { 1, 1, 1 },
     { 1, 3, 1 }, { 3, 3, 1 }, { 3, 1, 1 } });
   plate->SetPolys(MakeCells({ { 0, 1, 2, 3, 0, 4, 5, 6, 7, 4 } }));
   SetCellValues(plate, "RadiantExitance", { 5 });
@@ -109,7 +96,7 @@ TEST(CellTypes, PolygonWithAHole)
 TEST(CellTypes, PolygonsThatCrossThemselvesAreReported)
 {
   Mesh mesh =
-    MakePolyData({ { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 2, 0, 0 }, { 2, 2, 0 } });
+    MakePoints({ { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 2, 0, 0 }, { 2, 2, 0 } });
   mesh->SetPolys(MakeCells({ { 0, 4, 5 }, { 0, 1, 2, 3 }, { 0, 1, 5, 4, 2, 3 } }));
   SetCellValues(mesh, "RadiantExitance", { 8 });
   const auto filter = MakeFilter({ {}, { MakeMoving(mesh, { 0, 0, 0 }) } }, 10000);
@@ -122,7 +109,7 @@ TEST(CellTypes, PolygonsThatCrossThemselvesAreReported)
 // Every triangle of a strip has its front on the side of the first one's.
 TEST(CellTypes, FrontOfAStrip)
 {
-  Mesh mesh = MakePolyData({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 }, { 0, 2, 0 } });
+  Mesh mesh = MakePoints({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 }, { 0, 2, 0 } });
   mesh->SetStrips(MakeCells({ { 0, 1, 2, 3, 4 } }));
   const Scene scene{ { mesh, MakePointLight({ 0.5, 0.5, 1 }, { 60 }) }, {} };
   const auto filter = MakeFilter(scene, 10000);
@@ -136,7 +123,7 @@ TEST(CellTypes, FrontOfAStrip)
 // The points of a poly-vertex share its flux.
 TEST(CellTypes, PolyVertexIsSeveralLights)
 {
-  Mesh lights = MakePolyData({ { 1, 1, 1 }, { 9, 9, 1 } });
+  Mesh lights = MakePoints({ { 1, 1, 1 }, { 9, 9, 1 } });
   lights->SetVerts(MakeCells({ { 0, 1 } }));
   SetCellValues(lights, "RadiantFlux", { 60 });
   const Mesh near = MakeRectangle({ 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, 1);

@@ -94,8 +94,8 @@ inline void SetNormals(vtkPolyData* polyData, const std::vector<Vector>& normals
   polyData->GetPointData()->SetNormals(array);
 }
 
-/// Points with normals as SetNormals takes them, and without cells.
-inline Mesh MakeSensors(const std::vector<Vector>& positions, const std::vector<Vector>& normals)
+/// Points in double, without cells.
+inline Mesh MakePoints(const std::vector<Vector>& positions)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -103,8 +103,15 @@ inline Mesh MakeSensors(const std::vector<Vector>& positions, const std::vector<
   {
     points->InsertNextPoint(position.data());
   }
-  auto sensors = Mesh::New();
-  sensors->SetPoints(points);
+  auto mesh = Mesh::New();
+  mesh->SetPoints(points);
+  return mesh;
+}
+
+/// Points with normals as SetNormals takes them, and without cells.
+inline Mesh MakeSensors(const std::vector<Vector>& positions, const std::vector<Vector>& normals)
+{
+  Mesh sensors = MakePoints(positions);
   SetNormals(sensors, normals);
   return sensors;
 }

@@ -59,53 +59,62 @@ private:
   std::map<CellId, std::size_t> numbers_;
 };
 
-/// Cells that measure their irradiance, W/m2, both sides summed. A bin is a cell.
-class CellIrradiance : public Sensor
+/// Cells that measure something. A bin is a cell.
+class CellSensor : public Sensor
 {
 public:
+  std::size_t numberOfBins() const override { return points_.numberOfCells(); }
+  int sharedEyeVertices() const override { return 0; }
+
+protected:
   /// `objects` must outlive it. Throws std::invalid_argument for a cell without area.
-  CellIrradiance(const irradiance::SceneObjects& objects, const std::vector<CellId>& cells)
+  CellSensor(const irradiance::SceneObjects& objects, const std::vector<CellId>& cells)
     : points_(objects, cells)
   {
   }
 
-  std::size_t numberOfBins() const override { return points_.numberOfCells(); }
+  CellPoints points_;
+};
+
+/// Cells that measure their irradiance, W/m2, both sides summed.
+class CellIrradiance : public CellSensor
+{
+public:
+  /// As CellSensor.
+  CellIrradiance(const irradiance::SceneObjects& objects, const std::vector<CellId>& cells)
+    : CellSensor(objects, cells)
+  {
+  }
+
   Departure start(std::size_t bin, Random& random) const override;
-  int sharedEyeVertices() const override { return 0; }
   std::optional<Place> placeOf(const PathVertex& lightVertex) const override;
 
 private:
   /// The vertex as the eye subpath that starts there would have it.
   PathVertex sensorAt(const PathVertex& vertex, std::size_t bin) const;
-
-  CellPoints points_;
 };
 
 /// Cells that measure the radiance, W/m2/sr, that they reflect towards an eye, as a mean over their
-/// area; without what they emit themselves. Whether something hides them does not matter. A bin is
-/// a cell.
-class CellRadiance : public Sensor
+/// area; without what they emit themselves. Whether something hides them does not matter.
+class CellRadiance : public CellSensor
 {
 public:
-  /// `objects` must outlive it. Throws std::invalid_argument for a cell without area.
+  /// As CellSensor.
   CellRadiance(
     const irradiance::SceneObjects& objects, const std::vector<CellId>& cells, const Vector3& eye)
-    : objects_(objects)
-    , points_(objects, cells)
+    : CellSensor(objects, cells)
+    , objects_(objects)
     , eye_(eye)
   {
   }
 
-  std::size_t numberOfBins() const override { return points_.numberOfCells(); }
   Departure start(std::size_t bin, Random& random) const override;
-  int sharedEyeVertices() const override { return 0; }
   std::optional<Place> placeOf(const PathVertex& lightVertex) const override;
 
 private:
   PathVertex sensorAt(const PathVertex& vertex, std::size_t bin) const;
 
   const irradiance::SceneObjects& objects_;
-  CellPoints points_;
   Vector3 eye_;
 };
 
