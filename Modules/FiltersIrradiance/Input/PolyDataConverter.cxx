@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/PolyDataConverter.h"
 
+#include "Input/LuminaireFields.h"
 #include "Input/PartCells.h"
 #include "Meshes/PolygonTriangulation.h"
 #include "Progress/InputError.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <sstream>
 
 namespace irradiance
@@ -50,7 +52,15 @@ public:
     {
       throwIf(!cells->IsValid(), where_ + ": the offsets of a cell array are not valid");
     }
+    luminaire_ = LuminaireFields::of(where_, input_, bands_);
+    for (const MaterialArray light : { Exitance, Flux })
+    {
+      throwIf(luminaire_ && arrays_[light],
+        where_ + ": has a table of radiant intensity and a " + kArrayMeanings[light] +
+          "; only one of them can give its light");
+    }
     makeRoom();
+    const std::size_t firstTriangle = target_.triangles.size();
     readPointLights();
     readLines();
     readSurfaces(input_->GetPolys(), [this] {
@@ -68,6 +78,10 @@ public:
       }
     });
     checkMisplaced();
+    if (luminaire_)
+    {
+      luminaire_->addTo(target_, firstCell_, firstTriangle);
+    }
     return warnings();
   }
 
@@ -121,6 +135,10 @@ private:
     {
       target_.emission.exitance.resize(material.numberOfCells * bands, 0.0);
     }
+    if (!target_.emission.luminaireOfCell.empty())
+    {
+      target_.emission.luminaireOfCell.resize(material.numberOfCells, Emission::kNone);
+    }
     if (arrays_[Specular] || !target_.specular.empty())
     {
       target_.specular.resize(material.numberOfCells * bands, 0.0);
@@ -146,7 +164,7 @@ private:
   {
     forEachOwnCell(input_->GetVerts(), [this](vtkIdType count, const vtkIdType* ids) {
       noteLight(arrays_[Exitance], exitanceElsewhere_);
-      if (!arrays_[Flux] || count == 0)
+      if ((!arrays_[Flux] && !luminaire_) || count == 0)
       {
         return;
       }
@@ -155,7 +173,9 @@ private:
       double total = 0;
       for (int band = 0; band < bands_; ++band)
       {
-        const double flux = checked("radiant flux", value(arrays_[Flux], band), kBrightest, " W");
+        const double flux = luminaire_
+          ? luminaire_->flux()[static_cast<std::size_t>(band)]
+          : checked("radiant flux", value(arrays_[Flux], band), kBrightest, " W");
         light.flux.push_back(flux / static_cast<double>(count));
         total += flux;
       }
@@ -357,6 +377,7 @@ private:
   vtkUnsignedCharArray* ghosts_;
   std::size_t firstCell_; ///< in the target
   vtkIdType cell_ = 0;    ///< the cell being read, by VTK's number
+  std::optional<LuminaireFields> luminaire_;
   std::vector<Vector3> corners_;
   /// Each counts the cells that it is about.
   InputWarning withoutArea_{ where_, "have no area", "their irradiance is 0" };

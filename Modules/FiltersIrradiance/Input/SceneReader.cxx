@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/SceneReader.h"
 
+#include "Input/LuminaireFields.h"
 #include "Progress/InputError.h"
 
 #include "vtkDataArray.h"
@@ -82,6 +83,7 @@ int SceneReader::countBands(const SceneInputs& inputs)
   int bands = 1;
   for (const InputPart* part : allPartsOf(inputs))
   {
+    bands = std::max(bands, LuminaireFields::bandsOf(part->polyData));
     for (std::size_t i = 0; i < part->arrays.size(); ++i)
     {
       vtkAbstractArray* array = part->arrays[i];

@@ -173,7 +173,7 @@ std::vector<bool> FirstHits::dimLights(
   {
     const SceneObject& object = objects[light.cell.object];
     const double* const exitance = object.exitanceOf(light.cell.cell);
-    areDim.push_back(light.surface() &&
+    areDim.push_back(light.surface() && !light.distribution() &&
       std::accumulate(exitance, exitance + object.emission->bands, 0.0) <= brightest);
   }
   return areDim;

@@ -49,6 +49,10 @@ double powerBetween(
     received =
       std::min(received, (facing + (node.depth + turned * lamp.radius) * inverse) / nearest);
   }
+  if (lamp.distribution && emitted > 0)
+  {
+    emitted = LampCone::kProjected * lamp.distribution->roughIntensity(between * inverse);
+  }
   if (!(emitted > 0 && received > 0))
   {
     return 0;
@@ -135,6 +139,10 @@ double LampChoice::distance(const CellShape& cell) const
 
 double LampChoice::mostPower(const CellShape& cell) const
 {
+  if (lamps_.hasLuminaires())
+  {
+    return kInfinity; // a beam may be as bright as it likes
+  }
   const double between = distance(cell);
   return lamps_.flux() * cell.area / (LampCone::kProjected * between * between);
 }

@@ -84,7 +84,7 @@ LampPieces::Node LampPieces::nodeOf(std::uint32_t first, std::uint32_t end) cons
     bounds.add(piece.bounds());
     node.lamp.flux += piece.flux;
     normals += piece.flux * piece.normal;
-    areFlat = areFlat && piece.cone.isFlat();
+    areFlat = areFlat && piece.cone.isFlat() && !piece.distribution;
   }
   node.lamp.center = bounds.center();
   node.lamp.radius = bounds.extent().norm() / 2;

@@ -7,6 +7,7 @@
 #include "Sampling/WeightChoice.h"
 #include "Surfaces/Contacts.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -41,6 +42,12 @@ public:
   void setQuantaPerWalk(std::int64_t quanta) { lights_.setQuantaPerWalk(quanta); }
   std::size_t size() const { return pieces_.size(); }
   const LampPiece& operator[](std::size_t piece) const { return pieces_[piece]; }
+  /// Whether some do not shine diffusely, or to all sides alike.
+  bool hasLuminaires() const
+  {
+    return std::any_of(pieces_.begin(), pieces_.end(),
+      [](const LampPiece& piece) { return piece.distribution != nullptr; });
+  }
   /// Of the centers.
   const Box& centers() const { return centers_; }
   /// The light of a triangle, if it is one of the table.

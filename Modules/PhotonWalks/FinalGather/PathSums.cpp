@@ -29,6 +29,13 @@ bool isMetLamp(const FinalGatherScene& scene, const PathSegment& segment)
         scene.foundLamps[scene.frame.cells.numbers()[cellOf(scene, segment)]]));
 }
 
+/// The direction in which light comes along a segment.
+Vector3 backAlong(const PathSegment& segment)
+{
+  const auto vector = [](const std::array<float, 3>& v) { return Vector3(v[0], v[1], v[2]); };
+  return (vector(segment.from) - vector(segment.to)).normalized();
+}
+
 /// From a cell of which something is known.
 void addKnown(const FinalGatherScene& scene, const PathSegment& segment, const Bands& weight,
   std::uint32_t replicate, Bands& sum, Bands& stale)
@@ -78,9 +85,9 @@ void add(const FinalGatherScene& scene, const FollowedPaths::Path& path, std::ui
     if (isMetLamp(scene, *segment))
     {
       const SceneCell cell = cellOf(scene, *segment);
-      const double* const emitted =
-        emittedFrom(scene.frame.objects[cell.object], cell.cell, segment->isFront);
-      for (int band = 0; emitted && band < bands; ++band)
+      const Bands emitted = emittedFrom(
+        scene.frame.objects[cell.object], cell.cell, segment->isFront, backAlong(*segment));
+      for (int band = 0; band < bands; ++band)
       {
         const auto i = static_cast<std::size_t>(band);
         sum[i] += lampWeight * weight[i] * emitted[i] * quantaPerWatt;

@@ -85,6 +85,7 @@ void addPieces(
 {
   const Vector3 center = light.bounds().center();
   LampPiece piece{ number, 1, light.totalFlux(), { center, center, center }, center };
+  piece.distribution = light.distribution();
   if (const Triangle* const surface = light.surface())
   {
     piece.triangle = *surface;

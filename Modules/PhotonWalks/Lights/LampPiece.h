@@ -43,6 +43,7 @@ struct LampPiece
   Vector3 center, normal = Vector3::Zero(); ///< a unit vector along the axis of the cone, or zero
   double radius = 0;                        ///< all corners are within it of the center
   LampCone cone{};
+  const IntensityDistribution* distribution = nullptr; ///< of a luminaire
 
   Box bounds() const { return triangle.bounds(); }
 };

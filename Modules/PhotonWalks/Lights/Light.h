@@ -3,6 +3,7 @@
 #define irradiance_Light_h
 
 #include "Geometry/Vector.h"
+#include "Lights/IntensityDistribution.h"
 #include "Lights/PointLight.h"
 #include "Meshes/SurfacePoint.h"
 #include "Sampling/DirectionSampling.h"
@@ -10,6 +11,7 @@
 #include "Surfaces/SceneCells.h"
 
 #include <array>
+#include <memory>
 #include <utility>
 #include <variant>
 
@@ -17,11 +19,12 @@ namespace irradiance
 {
 
 /// A triangle of a cell with exitance, in world space. Light leaves its front as it would after
-/// diffuse reflection.
+/// diffuse reflection, or as a luminaire has it.
 struct AreaLight
 {
   TriangleId id;
   Triangle triangle;
+  std::shared_ptr<const IntensityDistribution> ofLuminaire{}; ///< null: diffuse
 
   /// What the cosine to the normal is times, for the intensity of each W, 1/sr.
   static constexpr double kPerSteradian = 1 / kPi;
@@ -29,30 +32,34 @@ struct AreaLight
   static double etendue(const Triangle& triangle) { return kPi * triangle.area(); }
 
   Box bounds() const { return triangle.bounds(); }
+  /// What the radiance in a direction is, over that of a diffuse light of the same flux.
+  double relativeRadiance(const Vector3& direction, const Vector3& normal) const
+  {
+    return ofLuminaire ? ofLuminaire->radiance(direction) * etendue(triangle) /
+        ofLuminaire->shareOf(triangle.area(), normal)
+                       : 1;
+  }
   Ray leaving(const std::array<double, 2>& place, const std::array<double, 2>& direction) const
   {
-    const SurfacePoint point = surfacePoint(triangle, sampleTriangle(place));
-    return { point.clearPosition(), sampleHemisphere(point.normal, direction), id };
+    const SurfacePoint start = surfacePoint(triangle, sampleTriangle(place));
+    return { start.clearPosition(),
+      ofLuminaire ? ofLuminaire->sample(direction, start.normal)
+                  : sampleHemisphere(start.normal, direction),
+      id };
   }
 
   friend bool operator==(const AreaLight& a, const AreaLight& b)
   {
-    return a.id == b.id && a.triangle == b.triangle;
+    return a.id == b.id && a.triangle == b.triangle && isSame(a.ofLuminaire, b.ofLuminaire);
   }
 };
-
-/// pi times the radiance of what a side of a cell emits, W/m2/sr, alike in all directions: one
-/// value per band; null: nothing.
-inline const double* emittedFrom(const SceneObject& object, std::size_t cell, bool isFront)
-{
-  return isFront ? object.exitanceOf(cell) : nullptr;
-}
 
 /// A place from which a light shines: a point of its surface, or the light itself in the air.
 struct LightPlace
 {
   SurfacePoint point; ///< in the air only the position
   const PointLight* inAir = nullptr;
+  const AreaLight* onSurface = nullptr;
 
   const Vector3& position() const { return point.position; }
   /// Where rays start.
@@ -71,7 +78,14 @@ struct LightPlace
     const bool isClear = inAir ||
       (isInFront(to.position) &&
         std::abs(to.normal.dot(to.position - point.position)) > 4 * to.clearance);
-    return inAir ? 1 : isClear ? AreaLight::kPerSteradian : 0;
+    return inAir ? 1 : isClear ? AreaLight::kPerSteradian * relativeRadiance(to.position) : 0;
+  }
+  /// See AreaLight; towards a place.
+  double relativeRadiance(const Vector3& to) const
+  {
+    return onSurface && onSurface->ofLuminaire
+      ? onSurface->relativeRadiance((to - point.position).normalized(), point.normal)
+      : 1;
   }
   /// Whether light may leave towards a place, which rounding does not tell.
   bool isInFront(const Vector3& to) const
@@ -101,16 +115,15 @@ public:
 
   double totalFlux() const { return flux[0] + flux[1] + flux[2]; }
   /// The triangle on which rays meet it, and from which they leave it; none for a light in the air.
-  TriangleId triangle() const
-  {
-    const auto* const area = std::get_if<AreaLight>(&kind_);
-    return area ? area->id : TriangleId{};
-  }
+  TriangleId triangle() const { return area() ? area()->id : TriangleId{}; }
+  /// Null for a light in the air.
+  const AreaLight* area() const { return std::get_if<AreaLight>(&kind_); }
   /// That triangle; null for a light in the air.
-  const Triangle* surface() const
+  const Triangle* surface() const { return area() ? &area()->triangle : nullptr; }
+  /// Null: light leaves as after diffuse reflection, or in the air to all sides alike.
+  const IntensityDistribution* distribution() const
   {
-    const auto* const area = std::get_if<AreaLight>(&kind_);
-    return area ? &area->triangle : nullptr;
+    return std::visit([](const auto& kind) { return kind.ofLuminaire.get(); }, kind_);
   }
   Box bounds() const
   {
@@ -129,7 +142,7 @@ public:
     {
       return { { inAir->position(), Vector3::Zero(), 0, true }, inAir };
     }
-    return { surfacePoint(piece ? *piece : *surface(), weights) };
+    return { surfacePoint(piece ? *piece : *surface(), weights), nullptr, area() };
   }
 
   /// Whether walks leave both alike.

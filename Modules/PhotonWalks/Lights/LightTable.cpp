@@ -9,6 +9,22 @@
 namespace irradiance
 {
 
+namespace
+{
+
+std::vector<std::shared_ptr<const IntensityDistribution>> distributionsOf(const SceneObject& object)
+{
+  std::vector<std::shared_ptr<const IntensityDistribution>> distributions;
+  for (const Luminaire& lamp : object.emission->luminaires)
+  {
+    distributions.push_back(
+      std::make_shared<const IntensityDistribution>(lamp, object.worldFromObject));
+  }
+  return distributions;
+}
+
+}
+
 LightTable::LightTable(const SceneObjects& objects, std::uint64_t numberOfWalks,
   const LightWalls& walls, std::uint32_t group)
 {
@@ -21,8 +37,9 @@ LightTable::LightTable(const SceneObjects& objects, std::uint64_t numberOfWalks,
   {
     if (objects[object].isPresent && objects[object].emits())
     {
-      addAreas(objects, object, group);
-      addPoints(objects, object, walls, group);
+      const Distributions luminaires = distributionsOf(objects[object]);
+      addAreas(objects, object, luminaires, group);
+      addPoints(objects, object, walls, luminaires, group);
     }
   }
   if (flux() < std::numeric_limits<double>::min())
@@ -61,37 +78,48 @@ void LightTable::setQuantaPerWalk(std::int64_t quanta)
   }
 }
 
-void LightTable::addAreas(const SceneObjects& objects, std::uint32_t number, std::uint32_t group)
+void LightTable::addAreas(const SceneObjects& objects, std::uint32_t number,
+  const Distributions& luminaires, std::uint32_t group)
 {
   const SceneObject& object = objects[number];
   const TriangleMesh& mesh = object.mesh();
-  for (std::uint32_t i = 0; i < mesh.size() && !object.emission->exitance.empty(); ++i)
+  const Emission& emission = *object.emission;
+  for (std::uint32_t i = 0; i < mesh.size() && !emission.exitance.empty(); ++i)
   {
     const std::uint32_t cell = object.material->cellOfTriangle[i];
-    if (!object.isLamp(i) || object.emission->groupOf(cell) != group)
+    if (!object.isLamp(i) || emission.groupOf(cell) != group)
     {
       continue;
     }
-    const AreaLight shape{ { number, i }, transformed(object.worldFromObject, mesh[i]) };
-    Light light({ number, cell }, shape);
+    AreaLight shape{ { number, i }, transformed(object.worldFromObject, mesh[i]) };
     const double area = shape.triangle.area();
-    const double* const exitance = object.emission->exitanceOf(cell);
-    std::transform(exitance, exitance + object.emission->bands, light.flux.begin(),
-      [area](double wattsPerArea) { return area * wattsPerArea; });
+    const Luminaire* const lamp = emission.luminaireOf(cell);
+    double times = area;
+    if (lamp)
+    {
+      shape.ofLuminaire = luminaires[emission.luminaireOfCell[cell]];
+      times = shape.ofLuminaire->shareOf(area, shape.triangle.areaVector().normalized());
+    }
+    Light light({ number, cell }, shape);
+    const double* const watts = lamp ? lamp->flux.data() : emission.exitanceOf(cell);
+    std::transform(watts, watts + emission.bands, light.flux.begin(),
+      [times](double value) { return times * value; });
     add(light);
   }
 }
 
-void LightTable::addPoints(
-  const SceneObjects& objects, std::uint32_t number, const LightWalls& walls, std::uint32_t group)
+void LightTable::addPoints(const SceneObjects& objects, std::uint32_t number,
+  const LightWalls& walls, const Distributions& luminaires, std::uint32_t group)
 {
   const SceneObject& object = objects[number];
   const std::vector<PointSource>& sources = object.emission->points;
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
+    const bool isLuminaire = object.emission->luminaireOf(sources[i].cell) != nullptr;
     Light light({ number, sources[i].cell },
       PointLight(object.worldFromObject(sources[i].position),
-        walls.empty() ? std::vector<Wall>() : walls[number][i]));
+        walls.empty() ? std::vector<Wall>() : walls[number][i],
+        isLuminaire ? luminaires[object.emission->luminaireOfCell[sources[i].cell]] : nullptr));
     std::copy(sources[i].flux.begin(), sources[i].flux.end(), light.flux.begin());
     if (object.emission->groupOf(light.cell.cell) == group)
     {

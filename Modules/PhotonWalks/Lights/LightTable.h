@@ -5,6 +5,7 @@
 #include "Lights/Light.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace irradiance
@@ -57,9 +58,12 @@ public:
   }
 
 private:
-  void addAreas(const SceneObjects& objects, std::uint32_t object, std::uint32_t group);
-  void addPoints(const SceneObjects& objects, std::uint32_t object, const LightWalls& walls,
+  /// Of the luminaires of an object.
+  using Distributions = std::vector<std::shared_ptr<const IntensityDistribution>>;
+  void addAreas(const SceneObjects& objects, std::uint32_t object, const Distributions& luminaires,
     std::uint32_t group);
+  void addPoints(const SceneObjects& objects, std::uint32_t object, const LightWalls& walls,
+    const Distributions& luminaires, std::uint32_t group);
   void add(const Light& light);
 
   std::vector<Light> lights_;

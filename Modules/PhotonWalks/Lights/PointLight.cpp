@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace irradiance
 {
@@ -148,8 +149,10 @@ LightWalls lightWallsOf(
   return walls;
 }
 
-PointLight::PointLight(const Vector3& position, const std::vector<Wall>& walls)
-  : position_(position)
+PointLight::PointLight(const Vector3& position, const std::vector<Wall>& walls,
+  std::shared_ptr<const IntensityDistribution> distribution)
+  : ofLuminaire(std::move(distribution))
+  , position_(position)
 {
   for (const Wall& wall : walls)
   {
@@ -169,6 +172,10 @@ PointLight::PointLight(const Vector3& position, const std::vector<Wall>& walls)
 Ray PointLight::leaving(
   const std::array<double, 2>& /*place*/, const std::array<double, 2>& direction) const
 {
+  if (ofLuminaire)
+  {
+    return { position_, ofLuminaire->sample(direction), {} };
+  }
   Vector3 shining = sampleSphere(direction);
   mirrorInto(openSides_, shining);
   return { position_, shining, {} };
@@ -177,6 +184,10 @@ Ray PointLight::leaving(
 double PointLight::density(const Vector3& direction) const
 {
   constexpr double kSphere = 4 * kPi;
+  if (ofLuminaire)
+  {
+    return ofLuminaire->intensity(direction);
+  }
   return firstBehind(openSides_, direction) == openSides_.end()
     ? numberMirroredInto(openSides_, direction) / kSphere
     : 0;

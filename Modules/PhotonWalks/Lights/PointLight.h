@@ -3,9 +3,11 @@
 #define irradiance_PointLight_h
 
 #include "Geometry/Ray.h"
+#include "Lights/IntensityDistribution.h"
 #include "Surfaces/ObjectSides.h"
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace irradiance
@@ -27,13 +29,17 @@ using LightWalls = std::vector<std::vector<std::vector<Wall>>>;
 LightWalls lightWallsOf(
   const SceneObjects& objects, ObjectSides& sides, const CancelPoint& cancelPoint);
 
-/// An isotropic point light, in world space. In the plane of walls it shines to their open side
-/// alone: what would go behind a wall is mirrored at it.
+/// A point light, in world space: isotropic, or as a luminaire has it. In the plane of walls an
+/// isotropic one shines to their open side alone: what would go behind a wall is mirrored at it. A
+/// luminaire is moved clear of them.
 class PointLight
 {
 public:
   /// Throws std::runtime_error if the walls leave no side open.
-  PointLight(const Vector3& position, const std::vector<Wall>& walls);
+  PointLight(const Vector3& position, const std::vector<Wall>& walls,
+    std::shared_ptr<const IntensityDistribution> distribution = nullptr);
+
+  std::shared_ptr<const IntensityDistribution> ofLuminaire; ///< null: isotropic
 
   Box bounds() const { return { position_, position_ }; }
   /// The ray that leaves in the direction that a point of the unit square chooses; from one place.
@@ -45,7 +51,8 @@ public:
 
   friend bool operator==(const PointLight& a, const PointLight& b)
   {
-    return a.position_ == b.position_ && a.openSides_ == b.openSides_;
+    return a.position_ == b.position_ && a.openSides_ == b.openSides_ &&
+      isSame(a.ofLuminaire, b.ofLuminaire);
   }
 
 private:

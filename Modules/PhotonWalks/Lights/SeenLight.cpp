@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Lights/SeenLight.h"
 
+#include "Sampling/WeightChoice.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace irradiance
 {
-
-namespace
-{
-
-/// What the unit interval chooses with a density that is linear between two values.
-double sampleLinear(double u, double first, double last)
-{
-  const double whole = first + std::sqrt((1 - u) * first * first + u * last * last);
-  return whole > 0 ? std::min(u * (first + last) / whole, 1.0) : u;
-}
-
-}
 
 Vector3 weightsInPlane(const Triangle& triangle, const Vector3& place)
 {
@@ -119,8 +109,16 @@ double SeenLight::irradiance(const LitPoint& point) const
     const double part = point.partOf(point.position - piece_->center);
     return part > 0 ? piece_->flux * sample({}, point).perWatt(part) : 0;
   }
-  const bool isInFront = piece_->normal.dot(point.position - piece_->center) > 0;
-  return isInFront ? piece_->flux * taken() / AreaLight::etendue(piece_->triangle) : 0;
+  const Vector3 along = point.position - piece_->center;
+  const double leaving = piece_->normal.dot(along);
+  if (!(leaving > 0))
+  {
+    return 0;
+  }
+  const double alike = piece_->flux * taken() / AreaLight::etendue(piece_->triangle);
+  return piece_->distribution ? alike * kPi *
+      piece_->distribution->roughIntensity(along.normalized()) * along.norm() / leaving
+                              : alike;
 }
 
 SeenLight::Sample SeenLight::sample(const std::array<double, 2>& u, const LitPoint& point) const
@@ -131,7 +129,7 @@ SeenLight::Sample SeenLight::sample(const std::array<double, 2>& u, const LitPoi
   Sample sample{ { origin, point.position - origin, light_->triangle() }, along, solidAngle, 0, 1 };
   if (seen_ && place.isInFront(point.position))
   {
-    sample.per = solidAngle * piece_->share;
+    sample.per = solidAngle * piece_->share * place.relativeRadiance(point.position);
     sample.over = AreaLight::etendue(piece_->triangle);
   }
   else if (const double square = along.squaredNorm(); !seen_ && square > 0)

@@ -3,6 +3,7 @@
 #define irradiance_WeightChoice_h
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -57,6 +58,13 @@ inline bool choosesFirst(double probability, double& sample)
   const bool isFirst = sample < probability;
   sample = isFirst ? restOf(sample, probability) : restOf(sample - probability, 1 - probability);
   return isFirst;
+}
+
+/// What the unit interval chooses with a density that is linear between two values.
+inline double sampleLinear(double u, double first, double last)
+{
+  const double whole = first + std::sqrt((1 - u) * first * first + u * last * last);
+  return whole > 0 ? std::min(u * (first + last) / whole, 1.0) : u;
 }
 
 }

@@ -50,6 +50,17 @@ Vector3 roundedDirection(const Vector3& direction, const Vector3& normal)
   return nearest.dot(normal) > kGrazing ? nearest : rounded(direction + kLift * normal);
 }
 
+namespace
+{
+
+/// Light of all others leaves faces diffusely.
+bool startsItself(const Light& light)
+{
+  return !light.area() || light.distribution();
+}
+
+}
+
 WalkStages::WalkStages(const SceneObjects& objects, const SceneTriangles& triangles,
   const LightTable& lights, const SobolSequence& samples, const DirectRounds* gathered)
   : objects_(objects)
@@ -65,7 +76,7 @@ WalkStages::WalkStages(const SceneObjects& objects, const SceneTriangles& triang
   for (const Light& light : lights.lights())
   {
     triangleOfLight_.push_back(triangles.numberOf(light.triangle()));
-    hasLightsInAir_ = hasLightsInAir_ || triangleOfLight_.back() == WalkFront::kNone;
+    hasOwnStarts_ = hasOwnStarts_ || startsItself(light);
   }
 }
 
@@ -95,9 +106,9 @@ void WalkStages::startAtLights(WalkFront& front) const
     front.setPower(i, bands(), lights_.power(front.candidate[i]));
   }
   leave(front);
-  if (hasLightsInAir_)
+  if (hasOwnStarts_)
   {
-    startInAir(front);
+    startByLights(front);
   }
 }
 
@@ -125,17 +136,20 @@ void WalkStages::startAtCells(WalkFront& front) const
   leave(front);
 }
 
-/// Such lights are few, and each has walls of its own.
-void WalkStages::startInAir(WalkFront& front) const
+/// Such lights are few, and each has walls or a table of its own.
+void WalkStages::startByLights(WalkFront& front) const
 {
   for (std::size_t i = 0; i < front.size; ++i)
   {
-    if (front.start[i] == WalkFront::kNone)
+    const Light& light = lights_[front.candidate[i]];
+    if (startsItself(light))
     {
-      const Ray ray = lights_[front.candidate[i]].leaving(
-        {}, samples_.sample(front.walk[i], 0, SampleUse::Direction));
+      const Ray ray = light.leaving(samples_.sample(front.walk[i], 0, SampleUse::Position),
+        samples_.sample(front.walk[i], 0, SampleUse::Direction));
       setOrigin(front, i, ray.origin);
-      setDirection(front, i, ray.direction);
+      setDirection(front, i,
+        light.area() ? roundedDirection(ray.direction, light.surface()->areaVector().normalized())
+                     : ray.direction);
     }
   }
 }

@@ -102,7 +102,7 @@ private:
   void chooseReflections(WalkFront& front) const;
   void startAtLights(WalkFront& front) const;
   void startAtCells(WalkFront& front) const;
-  void startInAir(WalkFront& front) const;
+  void startByLights(WalkFront& front) const;
   /// Of the few walks that leave specularly, by row. They follow from where the segments before
   /// began, and from the points that are left, as both follow from what is stored.
   std::vector<std::pair<std::size_t, Vector3>> specularDirections(const WalkFront& front) const;
@@ -115,7 +115,7 @@ private:
   const DirectRounds* gathered_;
   BounceKeys lightKeys_, positionKeys_, survivalKeys_, directionKeys_;
   std::vector<std::uint32_t> triangleOfLight_;
-  bool hasLightsInAir_ = false;
+  bool hasOwnStarts_ = false; ///< of lights that are no diffuse faces
 };
 
 }

@@ -3,10 +3,13 @@
 #define irradiance_Emission_h
 
 #include "Geometry/Vector.h"
+#include "Sampling/DirectionTable.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <tuple>
 #include <vector>
 
 namespace irradiance
@@ -25,6 +28,25 @@ struct PointSource
   }
 };
 
+/// A lamp whose radiant intensity is given for each direction. It shines from points, or from the
+/// fronts of cells that are its opening: a flat one, or a convex body.
+struct Luminaire
+{
+  std::shared_ptr<const DirectionTable> intensity; ///< in any unit, as `flux` gives the power
+  Vector3 axis, reference;                         ///< of the table: unit vectors in its object
+  std::vector<double> flux;                        ///< W, one per band
+  /// Area vectors of the opening, in its object, m2: the sum of all triangles in planes that are
+  /// parallel. Empty: it shines from points.
+  std::vector<Vector3> faces;
+
+  friend bool operator==(const Luminaire& a, const Luminaire& b)
+  {
+    return *a.intensity == *b.intensity &&
+      std::tie(a.axis, a.reference, a.flux, a.faces) ==
+      std::tie(b.axis, b.reference, b.flux, b.faces);
+  }
+};
+
 /// The light that an object itself gives off.
 struct Emission
 {
@@ -32,6 +54,11 @@ struct Emission
   /// W/m2 from the front, one value per cell and band, cell-major; empty: none.
   std::vector<double> exitance;
   std::vector<PointSource> points;
+  std::vector<Luminaire> luminaires;
+  /// Which of these each cell belongs to, or kNone; empty: none does. Of a cell of an opening,
+  /// the exitance is the mean over all directions before it was scaled by a pose.
+  std::vector<std::uint32_t> luminaireOfCell;
+  static constexpr std::uint32_t kNone = 0xffffffffu;
   /// The group of each cell's lights; empty: all are in group 0. Each group starts a set of walks
   /// of its own.
   std::vector<std::uint32_t> groups;
@@ -42,6 +69,13 @@ struct Emission
   const double* exitanceOf(std::size_t cell) const
   {
     return exitance.empty() ? nullptr : &exitance[cell * static_cast<std::size_t>(bands)];
+  }
+  /// Null for a cell whose light leaves alike in all directions.
+  const Luminaire* luminaireOf(std::size_t cell) const
+  {
+    return luminaireOfCell.empty() || luminaireOfCell[cell] == kNone
+      ? nullptr
+      : &luminaires[luminaireOfCell[cell]];
   }
   bool hasExitance(std::size_t cell) const
   {
@@ -59,6 +93,7 @@ struct Emission
   friend bool operator==(const Emission& a, const Emission& b)
   {
     return a.bands == b.bands && a.exitance == b.exitance && a.points == b.points &&
+      a.luminaires == b.luminaires && a.luminaireOfCell == b.luminaireOfCell &&
       a.groups == b.groups;
   }
 };

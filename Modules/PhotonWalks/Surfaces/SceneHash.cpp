@@ -24,7 +24,11 @@ void add(const Material& material, Hash& hash)
 
 void add(const Emission& emission, Hash& hash)
 {
-  hash.add(emission.exitance, emission.groups);
+  hash.add(emission.exitance, emission.groups, emission.luminaireOfCell);
+  for (const Luminaire& lamp : emission.luminaires)
+  {
+    hash.add(lamp.axis, lamp.reference, lamp.flux, lamp.faces, lamp.intensity->integral());
+  }
   for (const PointSource& source : emission.points)
   {
     hash.add(source.position, source.flux, source.cell);

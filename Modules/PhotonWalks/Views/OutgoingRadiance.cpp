@@ -70,6 +70,7 @@ OutgoingRadiance::Light OutgoingRadiance::lightOf(
 {
   const Material& material = materialOf(cell);
   const SeenParts parts = partsOf(cell, eye);
+  const Vector3 toEye = eye.directionFrom(shapes_[engine_.cells().numbers()[cell]].center);
   Light light;
   for (int band = 0; band < material.bands && (parts[0] != 0 || parts[1] != 0); ++band)
   {
@@ -80,11 +81,10 @@ OutgoingRadiance::Light OutgoingRadiance::lightOf(
     {
       if (parts[side] != 0)
       {
-        const double* const emitted =
-          emittedFrom(engine_.objects()[cell.object], cell.cell, side == 0);
+        const Bands emitted =
+          emittedFrom(engine_.objects()[cell.object], cell.cell, side == 0, toEye);
         leaving += parts[side] *
-          ((emitted ? emitted[i] : 0) +
-            material.reflectance[slot] * engine_.irradiance(sumsOf(cell, side), band));
+          (emitted[i] + material.reflectance[slot] * engine_.irradiance(sumsOf(cell, side), band));
       }
     }
     for (const Bands& replicate : specular)

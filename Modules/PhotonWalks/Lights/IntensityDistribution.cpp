@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Lights/IntensityDistribution.h"
+
+#include "Sampling/ElementaryFunctions.h"
+#include "Sampling/SobolPoint.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace irradiance
+{
+
+namespace
+{
+
+constexpr double kParallel = 1 - 1e-9; ///< cosine between normals of faces of one plane
+
+/// Numbers that have nothing to do with these.
+std::array<double, 2> otherSquare(const std::array<double, 2>& u)
+{
+  const std::uint64_t first = splitMix(bitCast<std::uint64_t>(u[0])),
+                      second = splitMix(first ^ bitCast<std::uint64_t>(u[1]));
+  return { SobolPoint::toUnit(static_cast<std::uint32_t>(second)),
+    SobolPoint::toUnit(static_cast<std::uint32_t>(second >> 32)) };
+}
+
+}
+
+/// Normals go with the inverse, so that they stay across what they were across.
+IntensityDistribution::IntensityDistribution(
+  const Luminaire& lamp, const AffineMap& worldFromObject)
+  : table_(lamp.intensity)
+{
+  const Matrix3& linear = worldFromObject.linear;
+  const double determinant = linear.determinant();
+  const Matrix3 ofNormals = std::abs(determinant) * linear.inverse().transpose();
+  const Vector3 axis = (ofNormals * lamp.axis).normalized(),
+                reference = (linear * lamp.reference).normalized();
+  axes_ << reference, (determinant < 0 ? -1 : 1) * reference.cross(axis), axis;
+  for (const Vector3& face : lamp.faces)
+  {
+    areas_.push_back(ofNormals * face);
+  }
+  shares_.assign(areas_.size(), areas_.size() == 1 ? 1 : 0);
+  if (areas_.size() < 2)
+  {
+    return;
+  }
+  double sum = 0;
+  table_->forEachPart([&](const Vector3& local, double weight) {
+    const Vector3 direction = axes_ * local;
+    const double seen = seenArea(direction);
+    for (std::size_t i = 0; i < areas_.size() && seen > 0; ++i)
+    {
+      shares_[i] += weight * std::max(0.0, areas_[i].dot(direction)) / seen;
+    }
+    sum += seen > 0 ? weight : 0;
+  });
+  for (double& share : shares_)
+  {
+    share = sum > 0 ? share / sum : 0;
+  }
+}
+
+double IntensityDistribution::intensity(const Vector3& direction) const
+{
+  return table_->value(axes_.transpose() * direction) / table_->integral();
+}
+
+double IntensityDistribution::radiance(const Vector3& direction) const
+{
+  const double seen = seenArea(direction);
+  return seen > 0 ? intensity(direction) / seen : 0;
+}
+
+double IntensityDistribution::shareOf(double area, const Vector3& normal) const
+{
+  double faces = 0, share = 0;
+  for (std::size_t i = 0; i < areas_.size(); ++i)
+  {
+    if (areas_[i].dot(normal) >= kParallel * areas_[i].norm())
+    {
+      faces += areas_[i].norm();
+      share += shares_[i];
+    }
+  }
+  return faces > 0 ? share * area / faces : 0;
+}
+
+Vector3 IntensityDistribution::sample(std::array<double, 2> u) const
+{
+  return axes_ * table_->sample(u);
+}
+
+/// By rejection, unless the opening is flat: then a direction in front of it is always taken.
+Vector3 IntensityDistribution::sample(std::array<double, 2> u, const Vector3& normal) const
+{
+  const double facing = areaFacing(normal);
+  constexpr int kMostTries = 1 << 16; // beyond any lamp: a face with less light has no share
+  for (int i = 0; i < kMostTries; ++i)
+  {
+    const Vector3 direction = sample(u);
+    const double ofFace = facing * normal.dot(direction);
+    if (ofFace > 0)
+    {
+      if (areas_.size() == 1 || otherSquare(u)[0] * seenArea(direction) <= ofFace)
+      {
+        return direction;
+      }
+    }
+    u = otherSquare({ u[1], u[0] });
+  }
+  return normal;
+}
+
+double IntensityDistribution::roughIntensity(const Vector3& direction) const
+{
+  constexpr double kAlike = 0.1, kSphere = 4 * kPi; // the part that leaves to all sides alike
+  return (1 - kAlike) * intensity(direction) + kAlike / kSphere;
+}
+
+double IntensityDistribution::seenArea(const Vector3& direction) const
+{
+  double sum = 0;
+  for (const Vector3& area : areas_)
+  {
+    sum += std::max(0.0, area.dot(direction));
+  }
+  return sum;
+}
+
+double IntensityDistribution::areaFacing(const Vector3& normal) const
+{
+  double sum = 0;
+  for (const Vector3& area : areas_)
+  {
+    sum += area.dot(normal) >= kParallel * area.norm() ? area.norm() : 0;
+  }
+  return sum;
+}
+
+Bands emittedFrom(
+  const SceneObject& object, std::size_t cell, bool isFront, const Vector3& direction)
+{
+  Bands emitted{};
+  if (!isFront || !object.hasExitance(cell))
+  {
+    return emitted;
+  }
+  if (const Luminaire* const lamp = object.emission->luminaireOf(cell))
+  {
+    const double radiance =
+      IntensityDistribution(*lamp, object.worldFromObject).radiance(direction);
+    std::transform(lamp->flux.begin(), lamp->flux.end(), emitted.begin(),
+      [radiance](double watts) { return kPi * radiance * watts; });
+    return emitted;
+  }
+  const double* const exitance = object.exitanceOf(cell);
+  std::copy(exitance, exitance + object.emission->bands, emitted.begin());
+  return emitted;
+}
+
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_IntensityDistribution_h
+#define irradiance_IntensityDistribution_h
+
+#include "Surfaces/Power.h"
+#include "Surfaces/SceneObjects.h"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace irradiance
+{
+
+/**
+ * Into which directions a luminaire shines, in world space. Of an opening each face gives, in each
+ * direction, the part of the light that it has of the opening as that direction sees it. So the
+ * radiance is alike all over the opening, and from afar the intensity is the table's. A pose turns
+ * the table, and mirrors it; it does not scale it.
+ */
+class IntensityDistribution
+{
+public:
+  IntensityDistribution(const Luminaire& lamp, const AffineMap& worldFromObject);
+
+  /// W/sr for each W of the lamp. `direction`: a unit vector, as the light goes.
+  double intensity(const Vector3& direction) const;
+  /// W/m2/sr for each W, of the faces that are seen; 0 if none is, and of a lamp without faces.
+  double radiance(const Vector3& direction) const;
+  /// The part of the light that leaves a face. `normal`: of the front.
+  double shareOf(double area, const Vector3& normal) const;
+  /// A direction in which light leaves a lamp without faces, or a face with this normal.
+  Vector3 sample(std::array<double, 2> u) const;
+  Vector3 sample(std::array<double, 2> u, const Vector3& normal) const;
+  /// What to weigh directions by where a lamp or a receiver is wide: it is like the intensity, but
+  /// nowhere much less than in the directions beside.
+  double roughIntensity(const Vector3& direction) const;
+
+  friend bool operator==(const IntensityDistribution& a, const IntensityDistribution& b)
+  {
+    return *a.table_ == *b.table_ && a.axes_ == b.axes_ && a.areas_ == b.areas_;
+  }
+
+private:
+  /// m2, of the opening as it is seen.
+  double seenArea(const Vector3& direction) const;
+  /// Of the faces with this normal.
+  double areaFacing(const Vector3& normal) const;
+
+  std::shared_ptr<const DirectionTable> table_;
+  Matrix3 axes_;               ///< of the table, as columns
+  std::vector<Vector3> areas_; ///< area vectors to the outside, m2
+  std::vector<double> shares_; ///< of the light that leaves each
+};
+
+/// pi times the radiance of what a side of a cell emits in a direction, W/m2/sr, by band.
+Bands emittedFrom(
+  const SceneObject& object, std::size_t cell, bool isFront, const Vector3& direction);
+
+/// Both null, or equal.
+inline bool isSame(const std::shared_ptr<const IntensityDistribution>& a,
+  const std::shared_ptr<const IntensityDistribution>& b)
+{
+  return a == b || (a && b && *a == *b);
+}
+
+}
+
+#endif
