@@ -3,10 +3,10 @@
 
 #include "vtkMath.h"
 
-#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <iomanip>
+#include <locale>
 #include <sstream>
 
 namespace irradiance
@@ -21,26 +21,23 @@ int daysFrom2000(int year, int month, int day)
   return 367 * year - 7 * (year + (month + 9) / 12) / 4 + 275 * month / 9 + day - 730531;
 }
 
-bool readClock(const std::string& time, const char* format, std::tm& clock)
-{
-  std::istringstream stream(time);
-  stream.imbue(std::locale::classic());
-  stream >> std::get_time(&clock, format);
-  return !stream.fail() && stream.peek() == std::istringstream::traits_type::eof();
-}
-
 }
 
 std::optional<ClockTime> parseTime(const std::string& time)
 {
-  std::string plain = time;
-  if (plain.size() > 10 && plain[10] == 'T')
+  // A std::istream takes what ends early for a time, too, so the lengths tell.
+  const bool hasSeconds = time.size() == 19;
+  if (!hasSeconds && time.size() != 16)
   {
-    plain[10] = ' ';
+    return std::nullopt;
   }
+  std::string format = hasSeconds ? "%Y-%m-%d %H:%M:%S" : "%Y-%m-%d %H:%M";
+  format[8] = time[10] == 'T' ? 'T' : ' ';
+  std::istringstream stream(time);
+  stream.imbue(std::locale::classic());
   std::tm clock{};
-  if (!readClock(plain, "%Y-%m-%d %H:%M:%S", clock) &&
-    !readClock(plain, "%Y-%m-%d %H:%M", clock = {}))
+  stream >> std::get_time(&clock, format.c_str());
+  if (stream.fail() || stream.peek() != std::istringstream::traits_type::eof())
   {
     return std::nullopt;
   }
