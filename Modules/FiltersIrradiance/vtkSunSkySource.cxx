@@ -35,6 +35,7 @@ struct Daylight
   double DirectNormal, DiffuseHorizontal;
   irradiance::SunPosition Sun;
   double DistanceFactor;
+  double Time; ///< of the row
 };
 
 void CheckWithin(const char* name, double value, double low, double high)
@@ -103,13 +104,13 @@ public:
     {
       const std::vector<double> steps = this->Steps();
       const auto after = std::upper_bound(steps.begin(), steps.end(), time) - steps.begin();
-      const auto& row =
-        this->Rows[static_cast<std::size_t>(std::max<std::ptrdiff_t>(after, 1) - 1)];
+      const auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after, 1) - 1);
+      const irradiance::WeatherRow& row = this->Rows[i];
       return { row.where, row.directNormal, row.diffuseHorizontal, this->SunAt(row.time),
-        irradiance::distanceFactor(row.time.dayOfYear) };
+        irradiance::distanceFactor(row.time.dayOfYear), steps[i] };
     }
     Daylight light{ "", s->DirectNormalIrradiance, s->DiffuseHorizontalIrradiance,
-      { s->SunAzimuth, s->SunAltitude }, 1 };
+      { s->SunAzimuth, s->SunAltitude }, 1, time };
     if (s->SunFrom == PlaceAndTime)
     {
       const std::string given = s->DateTime ? s->DateTime : "";
@@ -238,12 +239,11 @@ int vtkSunSkySource::RequestData(
     AddSky(fields, irradiance::kSkyAzimuths, sky.azimuths);
     const auto toSun =
       irradiance::SunPosition{ light.Sun.azimuth - this->North, light.Sun.altitude }.direction();
-    irradiance::addTuple<vtkDoubleArray>(
-      fields, irradiance::kSunDirection, { toSun.begin(), toSun.end() });
-    irradiance::addTuple<vtkDoubleArray>(
+    const auto addTuple = irradiance::addTuple<vtkDoubleArray>;
+    addTuple(fields, irradiance::kSunDirection, { toSun.begin(), toSun.end() });
+    addTuple(
       fields, irradiance::kSunIrradiance, { light.Sun.altitude < 0 ? 0 : light.DirectNormal });
-    irradiance::addTuple<vtkDoubleArray>(
-      fields, irradiance::kSunAngularRadius, { this->SunAngularRadius });
+    addTuple(fields, irradiance::kSunAngularRadius, { this->SunAngularRadius });
     if (!sky.note.empty())
     {
       const std::string note = light.Where + (light.Where.empty() ? "" : ": ") + sky.note;
@@ -253,7 +253,8 @@ int vtkSunSkySource::RequestData(
       text->InsertNextValue(note);
       fields->AddArray(text);
     }
-    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+    // As readers of files do: then a dose knows that it has to take the rows.
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), light.Time);
   });
 }
 

@@ -20,7 +20,7 @@
  * DirectNormalIrradiance and DiffuseHorizontalIrradiance say how much light there is, SkyModel how
  * the diffuse light is spread over the sky. The table brings exactly the diffuse horizontal
  * irradiance to a free horizontal plane, whatever the model: the integral of what is bilinear is
- * exact. Against the model itself the irradiance of a vertical plane is off by less than .5 %.
+ * exact. Against the model itself the irradiance of a vertical plane is off by less than .2 %.
  * Below the horizon is a ground, unless GroundOff.
  *
  * The sun stands where SunAzimuth and SunAltitude say, or where Michalsky's formula (Solar Energy
@@ -39,8 +39,9 @@
  * - `DNI`, `DHI`: direct normal and diffuse horizontal irradiance, W/m2.
  *
  * TIME_STEPS are the rows, in seconds since the first. At UPDATE_TIME_STEP there is the last row
- * that is not later, before the first row that one; without it the first. The sun is found for the
- * time of the row: where rows are means over an hour, let their times be the middles.
+ * that is not later, before the first row that one; without it the first. DATA_TIME_STEP is the
+ * row's own time, so a dose takes the rows, as of files. The sun is found for the time of the row:
+ * where rows are means over an hour, let their times be the middles.
  *
  * @section SkyErrors Errors
  * Values that are not finite or out of range, and files with such values, are one error that names
@@ -50,7 +51,7 @@
  * of 0 there, its diffuse horizontal irradiance all the same, and SkyNote says so.
  *
  * Sources: CIE S 011 / ISO 15469:2004; Perez, Seals, Michalsky, Solar Energy 50:235, 1993, with the
- * erratum 51:423. Theory: section 1.4.
+ * erratum 51:423. Theory: "Sun and sky".
  */
 
 #ifndef vtkSunSkySource_h
@@ -103,13 +104,12 @@ public:
   /// @}
 
   /// @{
-  /** Sunlight on a plane across it, W/m2, 0 or more. Default 0. */
+  /**
+   * W/m2, 0 or more: sunlight on a plane across it (DNI, default 0), and the light of the sky on a
+   * horizontal plane (DHI, default 100).
+   */
   vtkSetMacro(DirectNormalIrradiance, double);
   vtkGetMacro(DirectNormalIrradiance, double);
-  /// @}
-
-  /// @{
-  /** The light of the sky on a horizontal plane, W/m2, 0 or more. Default 100. */
   vtkSetMacro(DiffuseHorizontalIrradiance, double);
   vtkGetMacro(DiffuseHorizontalIrradiance, double);
   /// @}
@@ -121,7 +121,8 @@ public:
   /// @}
 
   /// @{
-  /** See SunSources. With a WeatherFileName the place and the time of the row count. Default Angles. */
+  /** See SunSources. With a WeatherFileName the place and the time of the row count. Default Angles.
+   */
   vtkSetClampMacro(SunFrom, int, Angles, PlaceAndTime);
   vtkGetMacro(SunFrom, int);
   void SetSunFromToAngles() { this->SetSunFrom(Angles); }
@@ -129,31 +130,25 @@ public:
   /// @}
 
   /// @{
-  /** Degrees from north over east (90: in the east). Default 180, in the south. */
+  /**
+   * Degrees: from north over east (90: in the east; default 180, in the south), and over the
+   * horizon (-90 to 90, default 45).
+   */
   vtkSetMacro(SunAzimuth, double);
   vtkGetMacro(SunAzimuth, double);
-  /// @}
-
-  /// @{
-  /** Degrees over the horizon, -90 to 90. Default 45. */
   vtkSetMacro(SunAltitude, double);
   vtkGetMacro(SunAltitude, double);
   /// @}
 
   /// @{
-  /** Degrees, north positive, -90 to 90. Default 0. */
+  /**
+   * Degrees, north positive (-90 to 90) and east positive (-180 to 360), and by how many hours
+   * local time is ahead of UT (-7: mountain time; -14 to 14). Default 0 each.
+   */
   vtkSetMacro(Latitude, double);
   vtkGetMacro(Latitude, double);
-  /// @}
-
-  /// @{
-  /** Degrees, east positive, -180 to 360. Default 0. */
   vtkSetMacro(Longitude, double);
   vtkGetMacro(Longitude, double);
-  /// @}
-
-  /// @{
-  /** By how many hours local time is ahead of UT (-7: mountain time), -14 to 14. Default 0. */
   vtkSetMacro(TimeZone, double);
   vtkGetMacro(TimeZone, double);
   /// @}
@@ -172,16 +167,12 @@ public:
 
   /// @{
   /**
-   * Whether light comes from below the horizon: from an endless ground in full sun and sky, of
-   * radiance GroundReflectance (DHI + DNI sin(altitude)) / pi. Default on.
+   * Whether light comes from below the horizon (default on): from an endless ground in full sun and
+   * sky, of radiance GroundReflectance (DHI + DNI sin(altitude)) / pi; 0 to 1, default 0.2.
    */
   vtkSetMacro(Ground, vtkTypeBool);
   vtkGetMacro(Ground, vtkTypeBool);
   vtkBooleanMacro(Ground, vtkTypeBool);
-  /// @}
-
-  /// @{
-  /** How much of the light the ground reflects, 0 to 1. Default 0.2. */
   vtkSetMacro(GroundReflectance, double);
   vtkGetMacro(GroundReflectance, double);
   /// @}

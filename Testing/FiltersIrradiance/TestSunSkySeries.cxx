@@ -57,7 +57,8 @@ TEST(SunSky, FollowsTheWeather)
   source->UpdateInformation();
   vtkInformation* info = source->GetOutputInformation(0);
   ASSERT_EQ(info->Length(Pipeline::TIME_STEPS()), 4);
-  const double* steps = info->Get(Pipeline::TIME_STEPS());
+  double steps[4];
+  std::copy_n(info->Get(Pipeline::TIME_STEPS()), 4, steps);
   EXPECT_EQ(std::vector<double>(steps, steps + 4),
     (std::vector<double>{ 0, 9 * 3600 + 30, 12 * 3600, 22 * 3600 }));
   EXPECT_EQ(info->Get(Pipeline::TIME_RANGE())[1], 22 * 3600);
@@ -74,6 +75,8 @@ TEST(SunSky, FollowsTheWeather)
   {
     const SkyOf sky(source, time.Time);
     EXPECT_EQ(sky.SunIrradiance, time.Direct) << time.Time;
+    const double row = source->GetOutput()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP());
+    EXPECT_EQ(row, *(std::upper_bound(steps, steps + 4, std::max(time.Time, 0.)) - 1));
     EXPECT_NEAR(sky.Irradiance(kUp), time.Diffuse, 1e-5 * time.Diffuse) << time.Time;
     EXPECT_EQ(sky.Sun[2] > 0, time.Direct > 0) << time.Time;
     EXPECT_EQ(!sky.Note.empty(), time.IsNoted) << sky.Note;
