@@ -121,8 +121,7 @@ public:
   /// @}
 
   /// @{
-  /** See SunSources. With a WeatherFileName the place and the time of the row count. Default Angles.
-   */
+  /** See SunSources. With a WeatherFileName the place and the time of the row. Default Angles. */
   vtkSetClampMacro(SunFrom, int, Angles, PlaceAndTime);
   vtkGetMacro(SunFrom, int);
   void SetSunFromToAngles() { this->SetSunFrom(Angles); }

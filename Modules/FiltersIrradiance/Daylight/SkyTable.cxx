@@ -20,9 +20,9 @@ std::vector<double> denseAround(const std::vector<double>& centres, double last)
 {
   constexpr double kStep = 2.5, kEqual = 1e-6;
   std::vector<double> angles;
-  for (double angle = kStep; angle < last; angle += kStep)
+  for (int i = 1; i * kStep < last; ++i)
   {
-    angles.push_back(angle);
+    angles.push_back(i * kStep);
   }
   for (const double centre : centres)
   {

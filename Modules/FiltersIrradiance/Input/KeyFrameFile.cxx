@@ -49,7 +49,8 @@ AffineMap readQuaternion(const CommaTable& table)
 
 AffineMap readDegrees(const CommaTable& table)
 {
-  const Vector3 place = values(table, { "x", "y", "z" }), turns = values(table, { "rx", "ry", "rz" });
+  const Vector3 place = values(table, { "x", "y", "z" }),
+                turns = values(table, { "rx", "ry", "rz" });
   return poseOf(table.where(), propMatrix(place.data(), turns.data()).data());
 }
 
