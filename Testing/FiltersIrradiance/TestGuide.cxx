@@ -13,6 +13,7 @@
 #include "vtkPointIrradianceFilter.h"
 #include "vtkRadiantExposureFilter.h"
 #include "vtkRenderer.h"
+#include "vtkSunSkySource.h"
 
 #include <gtest/gtest.h>
 

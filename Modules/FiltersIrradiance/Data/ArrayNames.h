@@ -80,6 +80,15 @@ constexpr const char* kVerifySeconds = "VerifySeconds";
 constexpr const char* kRepairSeconds = "RepairSeconds";
 constexpr const char* kHistoryBytes = "HistoryBytes";
 
+/// Field data of vtkSunSkySource.
+constexpr const char* kSkyRadiance = "SkyRadiance";
+constexpr const char* kSkyPolarAngles = "SkyPolarAngles";
+constexpr const char* kSkyAzimuths = "SkyAzimuths";
+constexpr const char* kSkyNote = "SkyNote";
+constexpr const char* kSunDirection = "SunDirection";
+constexpr const char* kSunIrradiance = "SunIrradiance";
+constexpr const char* kSunAngularRadius = "SunAngularRadius";
+
 }
 
 #endif

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSunSkySource.h"
+
+#include "Data/ArrayNames.h"
+#include "Data/NamedArray.h"
+#include "Daylight/SkyTable.h"
+#include "Daylight/WeatherSeries.h"
+#include "Pipeline/FilterRun.h"
+#include "Progress/InputError.h"
+#include "Time/TimeKeys.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkSunSkySource);
+
+namespace
+{
+
+/// The light of one time.
+struct Daylight
+{
+  std::string Where; ///< the row of a series; empty: the properties
+  double DirectNormal, DiffuseHorizontal;
+  irradiance::SunPosition Sun;
+  double DistanceFactor;
+  double Time; ///< of the row
+};
+
+void CheckWithin(const char* name, double value, double low, double high)
+{
+  irradiance::throwIf(!(value >= low && value <= high),
+    std::string(name) + " is " + irradiance::text(value) + "; it has to be " +
+      (high < VTK_DOUBLE_MAX ? irradiance::text(low) + " to " + irradiance::text(high)
+          : low == 0         ? "0 or more"
+                             : "finite"));
+}
+
+void AddSky(vtkFieldData* fields, const char* name, const std::vector<double>& values)
+{
+  const auto array =
+    irradiance::addArray<vtkDoubleArray>(fields, name, 1, static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+}
+
+}
+
+class vtkSunSkySource::vtkInternals
+{
+public:
+  explicit vtkInternals(vtkSunSkySource* source)
+    : Source(source)
+  {
+  }
+
+  void Update()
+  {
+    if (this->ReadTime == this->Source->GetMTime())
+    {
+      return;
+    }
+    this->Rows.clear();
+    this->Error.clear();
+    try
+    {
+      const char* file = this->Source->GetWeatherFileName();
+      this->HasSeries = file && *file;
+      this->Rows = this->HasSeries ? irradiance::readWeather(file) : this->Rows;
+    }
+    catch (const irradiance::InputError& error)
+    {
+      this->Error = error.what();
+    }
+    this->ReadTime = this->Source->GetMTime();
+  }
+
+  /// The rows in seconds since the first.
+  std::vector<double> Steps() const
+  {
+    std::vector<double> steps;
+    for (const irradiance::WeatherRow& row : this->Rows)
+    {
+      steps.push_back(row.time.seconds - this->Rows.front().time.seconds);
+    }
+    return steps;
+  }
+
+  /// What the properties say, or the row at `time`.
+  Daylight LightAt(double time) const
+  {
+    vtkSunSkySource* s = this->Source;
+    if (this->HasSeries)
+    {
+      const std::vector<double> steps = this->Steps();
+      const auto after = std::upper_bound(steps.begin(), steps.end(), time) - steps.begin();
+      const auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after, 1) - 1);
+      const irradiance::WeatherRow& row = this->Rows[i];
+      return { row.where, row.directNormal, row.diffuseHorizontal, this->SunAt(row.time),
+        irradiance::distanceFactor(row.time.dayOfYear), steps[i] };
+    }
+    Daylight light{ "", s->DirectNormalIrradiance, s->DiffuseHorizontalIrradiance,
+      { s->SunAzimuth, s->SunAltitude }, 1, time };
+    if (s->SunFrom == PlaceAndTime)
+    {
+      const std::string given = s->DateTime ? s->DateTime : "";
+      const auto clock = irradiance::parseTime(given);
+      irradiance::throwIf(
+        !clock, "DateTime is \"" + given + "\"; it has to be a time such as 2024-06-21 12:00");
+      light.Sun = this->SunAt(*clock);
+      light.DistanceFactor = irradiance::distanceFactor(clock->dayOfYear);
+    }
+    return light;
+  }
+
+  void CheckProperties() const
+  {
+    const vtkSunSkySource* s = this->Source;
+    CheckWithin("SunAngularRadius", s->SunAngularRadius, 0, 10);
+    CheckWithin("North", s->North, -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX);
+    CheckWithin("GroundReflectance", s->GroundReflectance, 0, 1);
+    if (s->SkyModel == CIEGeneral)
+    {
+      CheckWithin("CIEType", s->CIEType, 1, 15);
+    }
+    if (!this->HasSeries)
+    {
+      CheckWithin("DirectNormalIrradiance", s->DirectNormalIrradiance, 0, VTK_DOUBLE_MAX);
+      CheckWithin("DiffuseHorizontalIrradiance", s->DiffuseHorizontalIrradiance, 0, VTK_DOUBLE_MAX);
+    }
+    if (this->HasSeries || s->SunFrom == PlaceAndTime)
+    {
+      CheckWithin("Latitude", s->Latitude, -90, 90);
+      CheckWithin("Longitude", s->Longitude, -180, 360);
+      CheckWithin("TimeZone", s->TimeZone, -14, 14);
+      return;
+    }
+    CheckWithin("SunAzimuth", s->SunAzimuth, -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX);
+    CheckWithin("SunAltitude", s->SunAltitude, -90, 90);
+  }
+
+  /// In the frame of the scene.
+  irradiance::SkyTable Sky(const Daylight& light) const
+  {
+    const vtkSunSkySource* s = this->Source;
+    const irradiance::SunPosition sun{ light.Sun.azimuth - s->North,
+      std::max(0., light.Sun.altitude) };
+    const double direct = light.Sun.altitude < 0 ? 0 : light.DirectNormal;
+    irradiance::SkyShape shape; // uniform
+    shape.isOvercast = s->SkyModel == CIEOvercast;
+    if (s->SkyModel == CIEClear || s->SkyModel == CIEGeneral)
+    {
+      shape = irradiance::cieSky(s->SkyModel == CIEClear ? 12 : s->CIEType);
+    }
+    else if (s->SkyModel == Perez && light.DiffuseHorizontal > 0)
+    {
+      shape =
+        irradiance::perezSky(direct, light.DiffuseHorizontal, sun.altitude, light.DistanceFactor);
+    }
+    irradiance::SkyTable sky = irradiance::skyTable(shape, sun, light.DiffuseHorizontal);
+    irradiance::throwIf(!sky.note.empty() && light.Where.empty(),
+      "SkyModel Perez has no sky for DirectNormalIrradiance " + irradiance::text(direct) +
+        ", DiffuseHorizontalIrradiance " + irradiance::text(light.DiffuseHorizontal) +
+        " and the sun at an altitude of " + irradiance::text(sun.altitude) +
+        " degrees: " + sky.note + "; choose a CIE sky");
+    if (light.Sun.altitude < 0 && light.DiffuseHorizontal > 0)
+    {
+      sky.note += (sky.note.empty() ? "" : "; ") + std::string("the sun is below the horizon");
+    }
+    if (s->Ground)
+    {
+      sky.addGround(s->GroundReflectance / vtkMath::Pi() *
+        (light.DiffuseHorizontal + direct * sun.direction()[2]));
+    }
+    return sky;
+  }
+
+  std::string Error; ///< why there is no series
+  bool HasSeries = false;
+
+private:
+  irradiance::SunPosition SunAt(const irradiance::ClockTime& local) const
+  {
+    return irradiance::sunPosition(local.seconds - 3600 * this->Source->TimeZone,
+      this->Source->Latitude, this->Source->Longitude);
+  }
+
+  vtkSunSkySource* Source;
+  std::vector<irradiance::WeatherRow> Rows;
+  vtkMTimeType ReadTime = 0;
+};
+
+vtkSunSkySource::vtkSunSkySource()
+  : Internals(new vtkInternals(this))
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkSunSkySource::~vtkSunSkySource()
+{
+  this->SetDateTime(nullptr);
+  this->SetWeatherFileName(nullptr);
+}
+
+int vtkSunSkySource::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  this->Internals->Update(); // what is wrong is said once, when the data are asked for
+  irradiance::uniteTimes(nullptr, 0, outputs, this->Internals->Steps());
+  return 1;
+}
+
+int vtkSunSkySource::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkInformation* info = outputs->GetInformationObject(0);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  return irradiance::runFilter(this, output, [&] {
+    this->Internals->Update();
+    irradiance::throwIf(!this->Internals->Error.empty(), this->Internals->Error);
+    this->Internals->CheckProperties();
+    auto* timeKey = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
+    const double time = info->Has(timeKey) ? info->Get(timeKey) : 0;
+    const Daylight light = this->Internals->LightAt(time);
+    const irradiance::SkyTable sky = this->Internals->Sky(light);
+    vtkFieldData* fields = output->GetFieldData();
+    AddSky(fields, irradiance::kSkyRadiance, sky.radiance);
+    AddSky(fields, irradiance::kSkyPolarAngles, sky.polarAngles);
+    AddSky(fields, irradiance::kSkyAzimuths, sky.azimuths);
+    const auto toSun =
+      irradiance::SunPosition{ light.Sun.azimuth - this->North, light.Sun.altitude }.direction();
+    const auto addTuple = irradiance::addTuple<vtkDoubleArray>;
+    addTuple(fields, irradiance::kSunDirection, { toSun.begin(), toSun.end() });
+    addTuple(
+      fields, irradiance::kSunIrradiance, { light.Sun.altitude < 0 ? 0 : light.DirectNormal });
+    addTuple(fields, irradiance::kSunAngularRadius, { this->SunAngularRadius });
+    if (!sky.note.empty())
+    {
+      const std::string note = light.Where + (light.Where.empty() ? "" : ": ") + sky.note;
+      vtkDebugMacro(<< note);
+      vtkNew<vtkStringArray> text;
+      text->SetName(irradiance::kSkyNote);
+      text->InsertNextValue(note);
+      fields->AddArray(text);
+    }
+    // As readers of files do: then a dose knows that it has to take the rows.
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), light.Time);
+  });
+}
+
+void vtkSunSkySource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SkyModel: " << this->SkyModel << "\n"
+     << indent << "CIEType: " << this->CIEType << "\n"
+     << indent << "DirectNormalIrradiance: " << this->DirectNormalIrradiance << "\n"
+     << indent << "DiffuseHorizontalIrradiance: " << this->DiffuseHorizontalIrradiance << "\n"
+     << indent << "SunAngularRadius: " << this->SunAngularRadius << "\n"
+     << indent << "SunFrom: " << this->SunFrom << "\n"
+     << indent << "SunAzimuth: " << this->SunAzimuth << "\n"
+     << indent << "SunAltitude: " << this->SunAltitude << "\n"
+     << indent << "Latitude: " << this->Latitude << "\n"
+     << indent << "Longitude: " << this->Longitude << "\n"
+     << indent << "TimeZone: " << this->TimeZone << "\n"
+     << indent << "DateTime: " << (this->DateTime ? this->DateTime : "(none)") << "\n"
+     << indent << "North: " << this->North << "\n"
+     << indent << "Ground: " << this->Ground << "\n"
+     << indent << "GroundReflectance: " << this->GroundReflectance << "\n"
+     << indent << "WeatherFileName: " << (this->WeatherFileName ? this->WeatherFileName : "(none)")
+     << "\n";
+}
