@@ -2,6 +2,7 @@
 #include "Lights/DistantLight.h"
 
 #include "Sampling/DirectionSampling.h"
+#include "Sampling/SobolPoint.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,9 +46,17 @@ DistantLight::DistantLight(const Sky& sky)
   constexpr double kWidest = 2.5; // degrees
   const DirectionTable radiance(sky.polarAngles, sky.azimuths, sky.radiance);
   const bool isRound = sky.azimuths.size() == 1;
-  const std::vector<double> polar = refined(sky.polarAngles, kWidest),
-                            azimuths = refined(
-                              isRound ? std::vector<double>{ 0, 360 } : sky.azimuths, kWidest);
+  const std::vector<double> polar = refined(sky.polarAngles, kWidest);
+  std::vector<double> azimuths =
+    refined(isRound ? std::vector<double>{ 0, 360 } : sky.azimuths, kWidest);
+  for (const double quarter : { 90.0, 180.0, 270.0 })
+  {
+    const auto place = std::lower_bound(azimuths.begin(), azimuths.end(), quarter);
+    if (place != azimuths.begin() && place != azimuths.end() && *place != quarter)
+    {
+      azimuths.insert(place, quarter);
+    }
+  }
   std::vector<double> values;
   for (const double azimuth : azimuths)
   {
@@ -72,6 +81,12 @@ DistantLight DistantLight::sunOf(const Sky& sky)
   sun.lit_ = sky.lit;
   sun.axis_ = sky.towardsSun;
   sun.cosine_ = std::cos(sky.sunRadius);
+  constexpr int kAcross = 32, kAround = 256; // the box as it is seen has bends
+  for (int i = 0; i < kAcross * kAround; ++i)
+  {
+    const double across = (i / kAround + 0.5) / kAcross, around = (i % kAround + 0.5) / kAround;
+    sun.meanCrossSection_ += sun.crossSection(sun.inDisc({ across, around })) / (kAcross * kAround);
+  }
   const Part disc{ 1, sun.cosine_, 0, 2 * kPi, sun.axis_, sky.sunRadius, 1 };
   sun.parts_ = std::make_shared<const std::vector<Part>>(1, disc);
   return sun;
@@ -125,12 +140,30 @@ Vector3 DistantLight::inDisc(const std::array<double, 2>& u) const
   return directionAround(axis_, height, std::sqrt(std::max(0.0, 1 - height * height)), u[1]);
 }
 
+/// By rejection, which is rare: a disc is small.
+Vector3 DistantLight::sampleDisc(std::array<double, 2> u) const
+{
+  const double radius = std::sqrt(1 - cosine_ * cosine_);
+  const double most = crossSection((axis_.cwiseAbs().array() + radius).cwiseMin(1).matrix());
+  constexpr int kMostTries = 64;
+  for (int i = 0; i < kMostTries; ++i)
+  {
+    const Vector3 direction = inDisc(u);
+    if (otherSquare(u)[0] * most <= crossSection(direction))
+    {
+      return direction;
+    }
+    u = otherSquare({ u[1], u[0] });
+  }
+  return axis_;
+}
+
 DistantLight::Sample DistantLight::sample(const Part& part, const std::array<double, 2>& u) const
 {
   if (!table_)
   {
     const Vector3 direction = inDisc(u);
-    return { direction, part.solidAngle(), 1 / crossSection(direction) };
+    return { direction, part.solidAngle(), 1 / meanCrossSection_ };
   }
   const double height = part.upper - u[0] * (part.upper - part.lower),
                radius = std::sqrt(std::max(0.0, 1 - height * height)),
@@ -152,7 +185,7 @@ double DistantLight::crossSection(const Vector3& direction) const
 Ray DistantLight::leaving(
   const std::array<double, 2>& place, const std::array<double, 2>& direction) const
 {
-  const Vector3 from = table_ ? swapped(table_->sample(direction)) : inDisc(direction);
+  const Vector3 from = table_ ? swapped(table_->sample(direction)) : sampleDisc(direction);
   const Vector3 size = lit_.extent();
   double rest = place[0] * crossSection(from);
   for (int axis = 0;; ++axis)

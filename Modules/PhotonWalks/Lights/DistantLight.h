@@ -30,7 +30,10 @@ public:
   static DistantLight sunOf(const Sky& sky);
 
   /// The flux for each W/m2/sr of the table of a sky, m2 sr; of a sun for each W/m2, m2.
-  double extent() const { return table_ ? table_->integral() : crossSection(axis_); }
+  double extent() const
+  {
+    return table_ ? table_->integral() : 2 / (1 + cosine_) * meanCrossSection_;
+  }
   const Box& bounds() const { return lit_; }
   Ray leaving(const std::array<double, 2>& place, const std::array<double, 2>& direction) const;
   /// m2, of the box as it is seen along a direction.
@@ -71,12 +74,15 @@ public:
 private:
   DistantLight() = default;
   Vector3 inDisc(const std::array<double, 2>& u) const;
+  /// With the density of what enters the box.
+  Vector3 sampleDisc(std::array<double, 2> u) const;
   std::vector<Part> partsOfSky() const;
 
   Box lit_;
   std::shared_ptr<const DirectionTable> table_;    ///< of a sky
   Vector3 axis_ = Vector3::UnitZ();                ///< of a sun: to its middle
   double cosine_ = 1;                              ///< of a sun: of its radius
+  double meanCrossSection_ = 0;                    ///< of a sun: m2, over its disc
   std::shared_ptr<const std::vector<Part>> parts_; ///< of all copies of a light
 };
 
