@@ -26,7 +26,7 @@ public:
   {
     if (text_.line(line - 1).empty())
     {
-      text_.fail(line - 1, "a number has to be here, as in all EULUMDAT files");
+      text_.fail(line - 1, "a number has to be here in EULUMDAT; in IES a line begins with TILT=");
     }
     return { text_, line - 1, " \t" };
   }
@@ -123,7 +123,7 @@ PhotometricFile parseEulumdat(const PhotometricText& text, int lampSet)
   PhotometricFile file;
   file.manufacturer = head.words(1);
   file.luminaire = head.words(9);
-  const std::size_t symmetry = head.at(3).nextCount("symmetry", 0, 4);
+  const std::size_t symmetry = head.at(3).nextCount("EULUMDAT symmetry", 0, 4);
   const std::size_t planes = head.at(4).nextCount("number of C planes");
   const std::size_t rows = head.at(6).nextCount("number of gamma angles");
   file.opening = eulumdatOpening(head);
