@@ -69,6 +69,7 @@ TEST(LuminaireErrors, OfIesNameLineAndValue)
   ExpectError(SmallIes(5, "1 0 10", "1991"), { "line 5", "ballast-lamp photometric factor is 0" });
   ExpectError(SmallIes(6, "90 0"), { "line 6", "vertical angle 0 follows 90" });
   ExpectError(SmallIes(6, "0 181"), { "line 6", "vertical angle is 181" });
+  ExpectError(SmallIes(6, "-5 92", "1986"), { "line 6", "vertical angle is 92; -90 to 90" });
   ExpectError(SmallIes(6, "-5 90"), { "line 6", "vertical angle is -5" });
   ExpectError(SmallIes(7, "0 0"), { "line 7", "horizontal angle 0 follows 0" });
   ExpectError(SmallIes(7, "0 270"), { "line 7", "go from 0 to 270" });

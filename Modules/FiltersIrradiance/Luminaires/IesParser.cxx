@@ -211,12 +211,13 @@ IntensityTable readTable(
   {
     double low, high;
   };
-  const Range half{ -90, 90 }, turn{ -180, 180 }, typeC{ year == 1986 ? -90. : 0., 180 };
-  const bool isB = type == 2;
-  const Range v = isB ? turn : type == 3 ? half : typeC;
+  const Range half{ -90, 90 }, turn{ -180, 180 };
+  // In 1986 types A and C had one number.
+  const bool isOldA = type == 1 && year == 1986 && NumberReader(numbers).next("vertical angle") < 0;
+  const bool isB = type == 2, isC = type == 1 && !isOldA;
+  const Range v = isB ? turn : isC ? Range{ 0, 180 } : half;
   const std::vector<double> vertical =
     numbers.nextAngles("vertical angle", rows, v.low, v.high, !isB);
-  const bool isC = type == 1 && vertical.front() >= 0; // in 1986 types A and C had one number
   const Range h = isB ? half : isC ? Range{ 0, 360 } : turn;
   const std::vector<double> horizontal =
     numbers.nextAngles("horizontal angle", planes, h.low, h.high, isB);
