@@ -156,11 +156,7 @@ StoredAngles aroundTypeC(const NumberReader& numbers, const std::vector<double>&
   {
     return around;
   }
-  if (first == 90 && last == 270)
-  {
-    around.mirrorAtFirst();
-  }
-  else if (first == 0 && (last == 90 || last == 180))
+  if ((first == 0 && (last == 90 || last == 180)) || (first == 90 && last == 270))
   {
     around.mirrorAtLast();
     if (last == 90)
