@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Luminaires/IntensityTable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace irradiance
+{
+
+namespace
+{
+
+constexpr double kDegree = kPi / 180;
+
+/// The integral of the intensity of one plane times sin(polar), per radian of azimuth.
+double planeFlux(const std::vector<double>& polar, const double* values)
+{
+  double sum = 0;
+  for (std::size_t i = 1; i < polar.size(); ++i)
+  {
+    // About the middle of the step, where little cancels.
+    const double middle = (polar[i] + polar[i - 1]) / 2 * kDegree;
+    const double half = (polar[i] - polar[i - 1]) / 2 * kDegree;
+    const double tilt = half > 0 ? (std::sin(half) - half * std::cos(half)) / half : 0;
+    sum += (values[i - 1] + values[i]) * std::sin(middle) * std::sin(half) +
+      (values[i] - values[i - 1]) * std::cos(middle) * tilt;
+  }
+  return sum;
+}
+
+}
+
+Vector3 IntensityTable::direction(double polarDegrees, double azimuthDegrees) const
+{
+  const double p = polarDegrees * kDegree, a = azimuthDegrees * kDegree;
+  return std::cos(p) * axis +
+    std::sin(p) * (std::cos(a) * reference + std::sin(a) * reference.cross(axis));
+}
+
+double fluxOf(const std::vector<double>& polar, const std::vector<double>& azimuth,
+  const std::vector<double>& values)
+{
+  double before = planeFlux(polar, values.data());
+  if (azimuth.size() == 1)
+  {
+    return 2 * kPi * before;
+  }
+  double flux = 0;
+  for (std::size_t i = 1; i < azimuth.size(); ++i)
+  {
+    const double plane = planeFlux(polar, values.data() + i * polar.size());
+    flux += (azimuth[i] - azimuth[i - 1]) * kDegree * (before + plane) / 2;
+    before = plane;
+  }
+  return flux;
+}
+
+StoredAngles::StoredAngles(const std::vector<double>& angles)
+  : degrees(angles)
+  , stored(angles.size())
+{
+  std::iota(stored.begin(), stored.end(), std::size_t{ 0 });
+}
+
+void StoredAngles::mirrorAtLast()
+{
+  const double mirror = degrees.back();
+  for (std::size_t i = degrees.size() - 1; i-- > 0;)
+  {
+    degrees.push_back(2 * mirror - degrees[i]);
+    stored.push_back(stored[i]);
+  }
+}
+
+void StoredAngles::mirrorAtFirst()
+{
+  *this = reversed(*this);
+  mirrorAtLast();
+  *this = reversed(*this);
+}
+
+void StoredAngles::closeIfOpen()
+{
+  if (degrees.back() < degrees.front() + 360)
+  {
+    degrees.push_back(degrees.front() + 360);
+    stored.push_back(stored.front());
+  }
+}
+
+StoredAngles reversed(StoredAngles angles)
+{
+  std::reverse(angles.degrees.begin(), angles.degrees.end());
+  std::reverse(angles.stored.begin(), angles.stored.end());
+  for (double& angle : angles.degrees)
+  {
+    angle = 0 - angle; // not -0
+  }
+  return angles;
+}
+
+IntensityTable expandedTable(const StoredAngles& polar, const StoredAngles& azimuth,
+  const std::vector<double>& values, std::size_t polarStride, std::size_t azimuthStride)
+{
+  IntensityTable table{ polar.degrees, azimuth.degrees, {} };
+  table.values.reserve(polar.degrees.size() * azimuth.degrees.size());
+  for (const std::size_t plane : azimuth.stored)
+  {
+    for (const std::size_t row : polar.stored)
+    {
+      table.values.push_back(values[plane * azimuthStride + row * polarStride]);
+    }
+  }
+  return table;
+}
+
+}
