@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Luminaires/IntensityTable.h"
 
+#include "Sampling/DirectionTable.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -12,22 +14,6 @@ namespace
 {
 
 constexpr double kDegree = kPi / 180;
-
-/// The integral of the intensity of one plane times sin(polar), per radian of azimuth.
-double planeFlux(const std::vector<double>& polar, const double* values)
-{
-  double sum = 0;
-  for (std::size_t i = 1; i < polar.size(); ++i)
-  {
-    // About the middle of the step, where little cancels.
-    const double middle = (polar[i] + polar[i - 1]) / 2 * kDegree;
-    const double half = (polar[i] - polar[i - 1]) / 2 * kDegree;
-    const double tilt = half > 0 ? (std::sin(half) - half * std::cos(half)) / half : 0;
-    sum += (values[i - 1] + values[i]) * std::sin(middle) * std::sin(half) +
-      (values[i] - values[i - 1]) * std::cos(middle) * tilt;
-  }
-  return sum;
-}
 
 }
 
@@ -41,19 +27,7 @@ Vector3 IntensityTable::direction(double polarDegrees, double azimuthDegrees) co
 double fluxOf(const std::vector<double>& polar, const std::vector<double>& azimuth,
   const std::vector<double>& values)
 {
-  double before = planeFlux(polar, values.data());
-  if (azimuth.size() == 1)
-  {
-    return 2 * kPi * before;
-  }
-  double flux = 0;
-  for (std::size_t i = 1; i < azimuth.size(); ++i)
-  {
-    const double plane = planeFlux(polar, values.data() + i * polar.size());
-    flux += (azimuth[i] - azimuth[i - 1]) * kDegree * (before + plane) / 2;
-    before = plane;
-  }
-  return flux;
+  return DirectionTable(polar, azimuth, values).integral();
 }
 
 StoredAngles::StoredAngles(const std::vector<double>& angles)
