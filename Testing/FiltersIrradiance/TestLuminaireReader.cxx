@@ -177,6 +177,7 @@ TEST(LuminaireReader, TypesBAndAKeepTheirDirections)
   file.Version = "any lamp"; // 1986: 1 stands for C and A
   file.Type = 1;
   file.V = file.H = half;
+  file.Value = [&](double v, double h) { return Lopsided(directionA(v, h)); };
   ExpectLopsided(Read(file.Text()), directionA(-30, 45));
 }
 

@@ -4,7 +4,6 @@
 #include "LuminaireFiles.h"
 
 #include "vtkCell.h"
-#include "vtkIdTypeArray.h"
 #include "vtkPolygon.h"
 
 #include <map>

@@ -40,11 +40,14 @@ std::vector<Vector3> litDirections(const IntensityTable& table)
   toAzimuth = planes == 1 ? fromAzimuth + 360 : toAzimuth;
   std::vector<Vector3> directions;
   constexpr int kRows = 16, kPlanes = 32;
-  for (int i = 0; i < (kRows + 1) * (kPlanes + 1); ++i)
+  for (int row = 0; row <= kRows; ++row)
   {
-    directions.push_back(
-      table.direction(fromPolar + (toPolar - fromPolar) * (i % (kRows + 1)) / kRows,
-        fromAzimuth + (toAzimuth - fromAzimuth) * (i / (kRows + 1)) / kPlanes));
+    const double polar = fromPolar + (toPolar - fromPolar) * row / kRows;
+    for (int plane = 0; plane <= kPlanes; ++plane)
+    {
+      const double azimuth = fromAzimuth + (toAzimuth - fromAzimuth) * plane / kPlanes;
+      directions.push_back(table.direction(polar, azimuth));
+    }
   }
   return directions;
 }
