@@ -124,8 +124,8 @@ FrameChange IrradianceEngine::changeTo(
     settings.gathersDirectLight == settings_.gathersDirectLight &&
     settings.fewestOfCells() == settings_.fewestOfCells();
   // A wall that a point light touches may have moved.
-  bool sameLights = isValid_ && samePlan && areLightsUnchanged(objects, frame_.objects) &&
-    walks_.boundsInAir().isEmpty();
+  bool sameLights =
+    isValid_ && samePlan && areLightsUnchanged(objects, frame_.objects) && !walks_.mayTouchWalls();
   if (!sameLights)
   {
     const bool wasValid = std::exchange(isValid_, false);

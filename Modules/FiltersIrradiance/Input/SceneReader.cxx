@@ -2,6 +2,7 @@
 #include "Input/SceneReader.h"
 
 #include "Input/LuminaireFields.h"
+#include "Input/SkyFields.h"
 #include "Progress/InputError.h"
 
 #include "vtkDataArray.h"
@@ -55,6 +56,21 @@ void checkReach(const std::string& where, const AffineMap& map, const Box& box)
     where + ": the transform takes points out of range, to " + text(reach) + " m");
 }
 
+/// Nothing may stand where the light of a sky does not reach it.
+void checkLit(const std::string& where, const SceneObjects& objects, const SceneObject& object)
+{
+  const Box bounds = object.worldBounds();
+  Box both = bounds;
+  if (objects.sky && !bounds.isEmpty())
+  {
+    both.add(objects.sky->lit);
+    throwIf(both.lower != objects.sky->lit.lower || both.upper != objects.sky->lit.upper,
+      where +
+        ": leaves the box that the sky lights; set SkyBounds (Bounds of vtkSunSkySource), so "
+        "that it holds all that moves");
+  }
+}
+
 /// Positions are doubles, and rays start 2^-33 of the largest coordinate off the surface.
 void checkDigits(const SceneObjects& objects)
 {
@@ -83,7 +99,8 @@ int SceneReader::countBands(const SceneInputs& inputs)
   int bands = 1;
   for (const InputPart* part : allPartsOf(inputs))
   {
-    bands = std::max(bands, LuminaireFields::bandsOf(part->polyData));
+    bands =
+      std::max({ bands, LuminaireFields::bandsOf(part->polyData), bandsOfSky(part->polyData) });
     for (std::size_t i = 0; i < part->arrays.size(); ++i)
     {
       vtkAbstractArray* array = part->arrays[i];
@@ -117,6 +134,7 @@ void SceneReader::read(
     if (object.isPresent)
     {
       checkReach(dynamicParts[i]->name, object.worldFromObject, object.body->mesh().bounds());
+      checkLit(dynamicParts[i]->name, objects_, object);
     }
   }
   checkDigits(objects_);
@@ -165,12 +183,39 @@ void SceneReader::readStatic(
     convert(*part, all, cancelPoint);
   }
   adopt(std::move(all), objects_.staticObject, false, cancelPoint);
+  adoptSky(staticParts);
   staticStamps_ = std::move(stamps);
+}
+
+void SceneReader::adoptSky(const std::vector<const InputPart*>& staticParts)
+{
+  const InputPart* found = nullptr;
+  for (const InputPart* part : staticParts)
+  {
+    if (hasSky(part->polyData))
+    {
+      throwIf(found != nullptr,
+        part->name + ": has a sky, as " + (found ? found->name : "") + " has; there can be one");
+      found = part;
+    }
+  }
+  std::shared_ptr<const Sky> sky;
+  if (found)
+  {
+    sky =
+      readSky(found->name, found->polyData, bands_, objects_.staticObject.body->mesh().bounds());
+    checkLit(found->name, { {}, {}, sky }, objects_.staticObject);
+  }
+  if (!sky || !objects_.sky || !(*sky == *objects_.sky))
+  {
+    objects_.sky = std::move(sky);
+  }
 }
 
 void SceneReader::readDynamic(
   const InputPart& part, std::size_t index, const CancelPoint& cancelPoint)
 {
+  throwIf(hasSky(part.polyData), part.name + ": has a sky, which belongs to input port 0");
   SceneObject& object = objects_.dynamicObjects[index];
   const bool wasPresent = std::exchange(object.isPresent, part.polyData->GetNumberOfCells() > 0);
   hasNews_ = hasNews_ || object.isPresent != wasPresent;

@@ -72,6 +72,7 @@ private:
   }
   void convert(const InputPart& part, ConvertedPolyData& target, const CancelPoint& cancelPoint);
   void readStatic(const std::vector<const InputPart*>& parts, const CancelPoint& cancelPoint);
+  void adoptSky(const std::vector<const InputPart*>& parts);
   void readDynamic(const InputPart& part, std::size_t index, const CancelPoint& cancelPoint);
   void adopt(
     ConvertedPolyData data, SceneObject& object, bool mayMove, const CancelPoint& cancelPoint);

@@ -135,6 +135,11 @@ void CellSampler::gatherFrom(const LampPiece& lamp, const Part& part, Square onC
 {
   const CellShape& cell = cells_[cell_];
   const Light& light = lamps_.lights()[lamp.light];
+  if (lamp.part)
+  {
+    gatherFromAfar(lamp, part, onCell, onLight, sample);
+    return;
+  }
   const Vector3 between = cell.center - lamp.center;
   LightPlace from{};
   SurfacePoint to{};
@@ -167,6 +172,19 @@ void CellSampler::gatherFrom(const LampPiece& lamp, const Part& part, Square onC
   to.turn(to.normal.dot(sample.from - to.position) >= 0);
   sample.isFront = to.isFront;
   sample.to = to.clearPosition();
+}
+
+void CellSampler::gatherFromAfar(const LampPiece& lamp, const Part& part, const Square& onCell,
+  const Square& onLight, DirectSample& sample) const
+{
+  const DistantLight& light = *lamps_.lights()[lamp.light].distant();
+  const DistantLight::Sample sky = light.sample(*lamp.part, onLight);
+  SurfacePoint to = cellPoint(part, sampleTriangle(onCell), sample);
+  to.turn(to.normal.dot(sky.direction) >= 0);
+  sample.isFront = to.isFront;
+  sample.to = to.clearPosition();
+  sample.from = light.entry(sample.to, sky.direction);
+  sample.part = cells_[cell_].area * to.normal.dot(sky.direction) * sky.perWatt;
 }
 
 /// The point is chosen on the cell, or on the lights if these are smaller: else hardly a sample

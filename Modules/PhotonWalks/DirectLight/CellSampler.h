@@ -75,6 +75,8 @@ private:
   void gatherFrom(const LampPiece& lamp, const Part& part, Square onCell, Square onLight,
     DirectSample& sample) const;
   /// From a light that coincides with the triangle at a point. `uLight`: chooses the light.
+  void gatherFromAfar(const LampPiece& lamp, const Part& part, const Square& onCell,
+    const Square& onLight, DirectSample& sample) const;
   void gatherTouching(const Part& part, const Square& u, double uLight, DirectSample& sample) const;
   const Triangle& touchingTriangle(std::uint32_t light) const
   {

@@ -172,8 +172,8 @@ std::vector<bool> FirstHits::dimLights(
   for (const Light& light : lights.lights())
   {
     const SceneObject& object = objects[light.cell.object];
-    const double* const exitance = object.exitanceOf(light.cell.cell);
-    areDim.push_back(light.surface() && !light.distribution() &&
+    const double* const exitance = light.surface() ? object.exitanceOf(light.cell.cell) : nullptr;
+    areDim.push_back(exitance && !light.distribution() &&
       std::accumulate(exitance, exitance + object.emission->bands, 0.0) <= brightest);
   }
   return areDim;

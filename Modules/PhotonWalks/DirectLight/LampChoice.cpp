@@ -30,7 +30,7 @@ double powerBetween(
   const double arriving = cell.normal.dot(between) * inverse;
   // Of flat lamps in one plane, or in planes above each other, and a flat cell: the sine between
   // their normals.
-  const bool isFlat = lamp.cone.isFlat() && curved < 1e-9;
+  const bool isFlat = lamp.cone.isFlat() && !(lamp.crossSection > 0) && curved < 1e-9;
   const double parallel = isFlat ? lamp.normal.dot(cell.normal) : 0;
   const double turned = isFlat ? std::sqrt(std::max(0.0, 1 - parallel * parallel)) : 1;
   const double reach = (lamp.radius + cell.radius) * inverse;
@@ -48,6 +48,10 @@ double powerBetween(
       std::min(emitted, (leaving + (node.depth + turned * cell.radius) * inverse) / nearest);
     received =
       std::min(received, (facing + (node.depth + turned * lamp.radius) * inverse) / nearest);
+  }
+  if (lamp.crossSection > 0)
+  {
+    emitted = LampCone::kProjected * squared / lamp.crossSection;
   }
   if (lamp.distribution && emitted > 0)
   {
@@ -139,7 +143,7 @@ double LampChoice::distance(const CellShape& cell) const
 
 double LampChoice::mostPower(const CellShape& cell) const
 {
-  if (lamps_.hasLuminaires())
+  if (!lamps_.arePlain())
   {
     return kInfinity; // a beam may be as bright as it likes
   }

@@ -29,7 +29,7 @@ LampPieces::LampPieces(LightTable lights)
   Box bounds;
   for (const Light& light : lights_.lights())
   {
-    bounds.add(light.bounds());
+    bounds.add(light.stand());
   }
   // What is near the one end of an edge that is shorter is near the other.
   constexpr double kShort = 0.02; // of the diagonal of all lamps
@@ -76,6 +76,7 @@ LampPieces::Node LampPieces::nodeOf(std::uint32_t first, std::uint32_t end) cons
   Box bounds;
   Vector3 normals = Vector3::Zero();
   bool areFlat = true;
+  double perArea = 0; // W/m2 of what is distant, across
   node.lamp.share = 0;
   node.lamp.flux = 0;
   for (std::uint32_t place = first; place < end; ++place)
@@ -84,8 +85,10 @@ LampPieces::Node LampPieces::nodeOf(std::uint32_t first, std::uint32_t end) cons
     bounds.add(piece.bounds());
     node.lamp.flux += piece.flux;
     normals += piece.flux * piece.normal;
+    perArea += piece.crossSection > 0 ? piece.flux / piece.crossSection : -kInfinity;
     areFlat = areFlat && piece.cone.isFlat() && !piece.distribution;
   }
+  node.lamp.crossSection = perArea > 0 ? node.lamp.flux / perArea : 0;
   node.lamp.center = bounds.center();
   node.lamp.radius = bounds.extent().norm() / 2;
   if (areFlat && !normals.isZero(1e-9 * node.lamp.flux))

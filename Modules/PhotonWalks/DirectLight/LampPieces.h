@@ -42,11 +42,11 @@ public:
   void setQuantaPerWalk(std::int64_t quanta) { lights_.setQuantaPerWalk(quanta); }
   std::size_t size() const { return pieces_.size(); }
   const LampPiece& operator[](std::size_t piece) const { return pieces_[piece]; }
-  /// Whether some do not shine diffusely, or to all sides alike.
-  bool hasLuminaires() const
+  /// Whether all shine diffusely, or to all sides alike, and from places.
+  bool arePlain() const
   {
-    return std::any_of(pieces_.begin(), pieces_.end(),
-      [](const LampPiece& piece) { return piece.distribution != nullptr; });
+    return std::none_of(pieces_.begin(), pieces_.end(),
+      [](const LampPiece& piece) { return piece.distribution || piece.part; });
   }
   /// Of the centers.
   const Box& centers() const { return centers_; }

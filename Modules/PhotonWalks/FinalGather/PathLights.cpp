@@ -46,7 +46,7 @@ std::string numbersOf(const SceneCell& cell)
 std::string unseenLight(const SceneObjects& objects, const std::string& gather,
   const std::function<std::string(const SceneCell&)>& nameOf)
 {
-  std::string light, specular; // the first ones
+  std::string light = objects.sky ? "there is a sky" : "", specular; // the first ones
   for (std::uint32_t i = 0; i < objects.size() && (light.empty() || specular.empty()); ++i)
   {
     const SceneObject& object = objects[i];
@@ -72,8 +72,8 @@ std::string unseenLight(const SceneObjects& objects, const std::string& gather,
   }
   return light.empty() || specular.empty() ? std::string()
                                            : light + ", and " + specular + ": " + gather +
-      " does not know how specular cells reflect the light of points: make them area "
-      "lights, or choose another method";
+      " does not know how specular cells reflect the light of points, or of a sky: make "
+      "points area lights, or choose another method";
 }
 
 void checkLights(const SceneObjects& objects, const std::string& gather,

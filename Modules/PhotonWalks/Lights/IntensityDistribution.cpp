@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Lights/IntensityDistribution.h"
 
-#include "Sampling/ElementaryFunctions.h"
 #include "Sampling/SobolPoint.h"
 
 #include <algorithm>
@@ -14,15 +13,6 @@ namespace
 {
 
 constexpr double kParallel = 1 - 1e-9; ///< cosine between normals of faces of one plane
-
-/// Numbers that have nothing to do with these.
-std::array<double, 2> otherSquare(const std::array<double, 2>& u)
-{
-  const std::uint64_t first = splitMix(bitCast<std::uint64_t>(u[0])),
-                      second = splitMix(first ^ bitCast<std::uint64_t>(u[1]));
-  return { SobolPoint::toUnit(static_cast<std::uint32_t>(second)),
-    SobolPoint::toUnit(static_cast<std::uint32_t>(second >> 32)) };
-}
 
 }
 

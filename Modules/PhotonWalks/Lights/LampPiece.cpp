@@ -57,6 +57,24 @@ void cut(const LampPiece& piece, int times, double shortest, std::vector<LampPie
   }
 }
 
+/// Their places only tell their directions and how far these spread.
+void addParts(const Light& light, const DistantLight& distant, std::uint32_t number,
+  std::vector<LampPiece>& pieces)
+{
+  constexpr double kFar = 0x1p10; // diagonals of the box
+  const Box& lit = distant.bounds();
+  for (const DistantLight::Part& part : distant.parts())
+  {
+    const double distance = kFar * lit.extent().norm();
+    const Vector3 center = lit.center() + distance * part.middle;
+    LampPiece piece{ number, 1, part.flux * light.totalFlux(), { center, center, center }, center,
+      -part.middle, std::min(1.0, part.radius) * distance, { 1, 0 } };
+    piece.part = &part;
+    piece.crossSection = distant.crossSection(part.middle);
+    pieces.push_back(piece);
+  }
+}
+
 }
 
 /// Conty and Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting", 2018.
@@ -83,6 +101,11 @@ double LampCone::leaving(double ofDirection, double size) const
 void addPieces(
   const Light& light, std::uint32_t number, double shortest, std::vector<LampPiece>& pieces)
 {
+  if (const DistantLight* const distant = light.distant())
+  {
+    addParts(light, *distant, number, pieces);
+    return;
+  }
   const Vector3 center = light.bounds().center();
   LampPiece piece{ number, 1, light.totalFlux(), { center, center, center }, center };
   piece.distribution = light.distribution();

@@ -33,7 +33,8 @@ struct LampCone
   static constexpr double kProjected = kPi;
 };
 
-/// A light, or a piece of its triangle, from afar. A light in the air is a point.
+/// A light, or a piece of its triangle, from afar. A light in the air is a point. A part of a distant
+/// one stands as far away as makes no difference.
 struct LampPiece
 {
   std::uint32_t light;
@@ -44,6 +45,9 @@ struct LampPiece
   double radius = 0;                        ///< all corners are within it of the center
   LampCone cone{};
   const IntensityDistribution* distribution = nullptr; ///< of a luminaire
+  const DistantLight::Part* part = nullptr;            ///< of a distant light
+  /// m2, if it is distant, else 0: a plane across its light receives the flux over this, W/m2.
+  double crossSection = 0;
 
   Box bounds() const { return triangle.bounds(); }
 };

@@ -3,6 +3,7 @@
 #define irradiance_Light_h
 
 #include "Geometry/Vector.h"
+#include "Lights/DistantLight.h"
 #include "Lights/IntensityDistribution.h"
 #include "Lights/PointLight.h"
 #include "Meshes/SurfacePoint.h"
@@ -102,7 +103,7 @@ struct LightPlace
 class Light
 {
 public:
-  using Kind = std::variant<AreaLight, PointLight>;
+  using Kind = std::variant<AreaLight, PointLight, DistantLight>;
 
   Light(const SceneCell& itsCell, Kind kind)
     : cell(itsCell)
@@ -118,6 +119,8 @@ public:
   TriangleId triangle() const { return area() ? area()->id : TriangleId{}; }
   /// Null for a light in the air.
   const AreaLight* area() const { return std::get_if<AreaLight>(&kind_); }
+  /// Null unless it shines from infinity.
+  const DistantLight* distant() const { return std::get_if<DistantLight>(&kind_); }
   /// That triangle; null for a light in the air.
   const Triangle* surface() const { return area() ? &area()->triangle : nullptr; }
   /// Null: light leaves as after diffuse reflection, or in the air to all sides alike.
@@ -125,17 +128,21 @@ public:
   {
     return std::visit([](const auto& kind) { return kind.ofLuminaire.get(); }, kind_);
   }
+  /// Of where rays leave it.
   Box bounds() const
   {
     return std::visit([](const auto& kind) { return kind.bounds(); }, kind_);
   }
+  /// Of where it stands: empty, if it is infinitely far away.
+  Box stand() const { return distant() ? Box() : bounds(); }
   /// The ray that leaves it from the place and in the direction that points of the unit square
   /// choose. In the air there is one place.
   Ray leaving(const std::array<double, 2>& place, const std::array<double, 2>& direction) const
   {
     return std::visit([&](const auto& kind) { return kind.leaving(place, direction); }, kind_);
   }
-  /// On its triangle, or on a piece of that, by barycentric weights; in the air there is one place.
+  /// Of a light that is not distant: on its triangle, or on a piece of that, by barycentric weights;
+  /// in the air there is one place.
   LightPlace place(const Vector3& weights, const Triangle* piece = nullptr) const
   {
     if (const auto* const inAir = std::get_if<PointLight>(&kind_))

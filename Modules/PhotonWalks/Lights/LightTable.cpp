@@ -42,6 +42,10 @@ LightTable::LightTable(const SceneObjects& objects, std::uint64_t numberOfWalks,
       addPoints(objects, object, walls, luminaires, group);
     }
   }
+  if (objects.sky && group == 0)
+  {
+    addSky(*objects.sky);
+  }
   if (flux() < std::numeric_limits<double>::min())
   {
     lights_.clear(); // too weak for a double
@@ -128,6 +132,25 @@ void LightTable::addPoints(const SceneObjects& objects, std::uint32_t number,
   }
 }
 
+void LightTable::addSky(const Sky& sky)
+{
+  const SceneCell none{ 0, std::numeric_limits<std::uint32_t>::max() };
+  const auto addDistant = [&](const DistantLight& distant, const std::vector<double>& perExtent) {
+    Light light(none, distant);
+    std::transform(perExtent.begin(), perExtent.end(), light.flux.begin(),
+      [&](double value) { return value * distant.extent(); });
+    add(light);
+  };
+  if (!sky.sunIrradiance.empty())
+  {
+    addDistant(DistantLight::sunOf(sky), sky.sunIrradiance);
+  }
+  if (!sky.radiance.empty())
+  {
+    addDistant(DistantLight(sky), sky.bandWeights);
+  }
+}
+
 void LightTable::add(const Light& light)
 {
   if (light.totalFlux() > 0)
@@ -137,6 +160,7 @@ void LightTable::add(const Light& light)
     if (!light.surface())
     {
       boundsInAir_.add(light.bounds());
+      mayTouchWalls_ = mayTouchWalls_ || !light.distant();
     }
   }
 }

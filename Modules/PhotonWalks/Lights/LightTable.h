@@ -31,6 +31,8 @@ public:
   const std::vector<Light>& lights() const { return lights_; }
   /// Bounds of the lights in the air, which no triangle bounds.
   const Box& boundsInAir() const { return boundsInAir_; }
+  /// Whether lights in the air depend on walls, which may move.
+  bool mayTouchWalls() const { return mayTouchWalls_; }
   /// W, of all lights in all bands.
   double flux() const { return lights_.empty() ? 0 : cumulative_.back(); }
   /// Quanta with which every walk starts, in all bands together: the power of two for which all
@@ -64,6 +66,7 @@ private:
     std::uint32_t group);
   void addPoints(const SceneObjects& objects, std::uint32_t object, const LightWalls& walls,
     const Distributions& luminaires, std::uint32_t group);
+  void addSky(const Sky& sky);
   void add(const Light& light);
 
   std::vector<Light> lights_;
@@ -71,6 +74,7 @@ private:
   std::vector<Power> powers_;
   std::int64_t quantaPerWalk_ = 1;
   Box boundsInAir_;
+  bool mayTouchWalls_ = false;
 };
 
 }

@@ -104,6 +104,11 @@ SeenLight SeenLight::between(std::array<Corner, 3> corners, const LitPoint& poin
 
 double SeenLight::irradiance(const LitPoint& point) const
 {
+  if (piece_->part)
+  {
+    const double part = point.partOf(-piece_->part->middle) + piece_->part->radius;
+    return piece_->flux / piece_->crossSection * std::clamp(part, 0.0, 1.0);
+  }
   if (!seen_)
   {
     const double part = point.partOf(point.position - piece_->center);
@@ -123,6 +128,12 @@ double SeenLight::irradiance(const LitPoint& point) const
 
 SeenLight::Sample SeenLight::sample(const std::array<double, 2>& u, const LitPoint& point) const
 {
+  if (const DistantLight* const distant = light_->distant())
+  {
+    const DistantLight::Sample sky = distant->sample(*piece_->part, u);
+    const Vector3 from = distant->entry(point.position, sky.direction);
+    return { { from, point.position - from, {} }, -sky.direction, sky.solidAngle, sky.perWatt, 1 };
+  }
   const auto [weights, solidAngle] = seen_ ? weightsAt(u) : std::pair(Vector3::UnitX().eval(), 0.0);
   const LightPlace place = light_->place(weights, &piece_->triangle);
   const Vector3 origin = place.origin(), along = point.position - place.position();

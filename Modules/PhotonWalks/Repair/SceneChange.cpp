@@ -31,7 +31,7 @@ bool areLightsUnchanged(const SceneObjects& now, const SceneObjects& before)
   // Which lights are near static cells is known of them as well, and how many walks start where
   // they are gathered.
   return now.staticObject.body == before.staticObject.body &&
-    now.staticObject.material == before.staticObject.material &&
+    now.staticObject.material == before.staticObject.material && now.sky == before.sky &&
     isSameForAll(now, before, [](const SceneObject& a, const SceneObject& b) {
       return !(a.emits() || b.emits()) || (isSameThing(a, b) && !hasMoved(a, b));
     });

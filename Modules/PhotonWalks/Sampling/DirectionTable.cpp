@@ -31,12 +31,12 @@ void checkEach(const std::vector<double>& numbers, const char* what, const IsRig
 }
 
 /// The integral over a step of what is linear in the angle, times the sine: of `from`, and what it
-/// grows by each radian.
+/// grows by each radian. About the middle, where little cancels.
 double overStep(double start, double width, double from, double growth)
 {
-  const double half = width / 2, chord = 2 * std::sin(half);
-  return from * chord * std::sin(start + half) +
-    growth * (chord * std::cos(start + half) - width * std::cos(start + width));
+  const double half = width / 2, middle = start + half, sine = std::sin(half);
+  return 2 * (from + growth * half) * std::sin(middle) * sine +
+    2 * growth * std::cos(middle) * (sine - half * std::cos(half));
 }
 
 /// Where in a step the integral is a part of that over the whole step. Newton's method within
@@ -124,12 +124,19 @@ Vector3 DirectionTable::direction(double polar, double azimuth) const
 
 double DirectionTable::value(const Vector3& direction) const
 {
-  const double polar = std::atan2(std::hypot(direction[0], direction[1]), direction[2]);
+  return valueAt(std::atan2(std::hypot(direction[0], direction[1]), direction[2]),
+    isRound() ? 0 : std::atan2(direction[1], direction[0]), 1);
+}
+
+double DirectionTable::valueAt(double polar, double azimuth, int side) const
+{
   if (polar < polar_.front() || polar > polar_.back())
   {
     return 0;
   }
-  const auto above = std::upper_bound(polar_.begin() + 1, polar_.end() - 1, polar);
+  const auto first = polar_.begin() + 1, last = polar_.end() - 1;
+  const auto above =
+    side > 0 ? std::upper_bound(first, last, polar) : std::lower_bound(first, last, polar);
   const auto angle = static_cast<std::size_t>(above - polar_.begin()) - 1;
   const double width = polar_[angle + 1] - polar_[angle];
   const double part = width > 0 ? (polar - polar_[angle]) / width : 0;
@@ -140,16 +147,16 @@ double DirectionTable::value(const Vector3& direction) const
   {
     return ofPlane(0);
   }
-  const double turns = (std::atan2(direction[1], direction[0]) - azimuths_.front()) / (2 * kPi);
-  const double azimuth = azimuths_.front() + 2 * kPi * (turns - std::floor(turns));
-  if (azimuth > azimuths_.back() * (1 + 0x1p-50))
+  const double turns = (azimuth - azimuths_.front()) / (2 * kPi);
+  const double around = azimuths_.front() + 2 * kPi * (turns - std::floor(turns));
+  if (around > azimuths_.back() * (1 + 0x1p-50))
   {
     return 0;
   }
-  const auto beyond = std::upper_bound(azimuths_.begin() + 1, azimuths_.end() - 1, azimuth);
+  const auto beyond = std::upper_bound(azimuths_.begin() + 1, azimuths_.end() - 1, around);
   const auto plane = static_cast<std::size_t>(beyond - azimuths_.begin()) - 1;
   return between(ofPlane(plane), ofPlane(plane + 1),
-    (azimuth - azimuths_[plane]) / (azimuths_[plane + 1] - azimuths_[plane]));
+    (around - azimuths_[plane]) / (azimuths_[plane + 1] - azimuths_[plane]));
 }
 
 Vector3 DirectionTable::sample(const std::array<double, 2>& u) const

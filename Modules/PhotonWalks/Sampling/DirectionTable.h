@@ -31,6 +31,8 @@ public:
 
   /// `direction`: a unit vector.
   double value(const Vector3& direction) const;
+  /// At angles in radians. `side`: of a jump, -1 below it, +1 above.
+  double valueAt(double polar, double azimuth, int side) const;
   /// Over all directions, sr.
   double integral() const { return cumulative_.back(); }
   /// A direction, with the density value() / integral(), which must be positive. `u`: in (0, 1).

@@ -2,6 +2,8 @@
 #ifndef irradiance_SobolPoint_h
 #define irradiance_SobolPoint_h
 
+#include "Sampling/ElementaryFunctions.h"
+
 #include <array>
 #include <cstdint>
 
@@ -94,6 +96,15 @@ struct SobolPoint
     return x ^ x * 0x53a22864u;
   }
 };
+
+/// Numbers that have nothing to do with these.
+inline std::array<double, 2> otherSquare(const std::array<double, 2>& u)
+{
+  const std::uint64_t first = splitMix(bitCast<std::uint64_t>(u[0])),
+                      second = splitMix(first ^ bitCast<std::uint64_t>(u[1]));
+  return { SobolPoint::toUnit(static_cast<std::uint32_t>(second)),
+    SobolPoint::toUnit(static_cast<std::uint32_t>(second >> 32)) };
+}
 
 }
 

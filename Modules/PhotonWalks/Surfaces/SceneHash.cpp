@@ -39,7 +39,12 @@ void add(const Emission& emission, Hash& hash)
 
 void addScene(const SceneObjects& objects, const SceneObjects* known, Hash& hash)
 {
-  hash.add(objects.size());
+  hash.add(objects.size(), objects.sky != nullptr);
+  if (const Sky* const sky = objects.sky.get(); sky && !(known && known->sky == objects.sky))
+  {
+    hash.add(sky->radiance, sky->polarAngles, sky->azimuths, sky->bandWeights, sky->towardsSun,
+      sky->sunIrradiance, sky->sunRadius, sky->lit.lower, sky->lit.upper);
+  }
   for (std::uint32_t i = 0; i < objects.size(); ++i)
   {
     const SceneObject& object = objects[i];

@@ -5,6 +5,7 @@
 #include "Scene/RigidObject.h"
 #include "Surfaces/Emission.h"
 #include "Surfaces/Material.h"
+#include "Surfaces/Sky.h"
 
 #include <memory>
 #include <vector>
@@ -37,6 +38,7 @@ struct SceneObjects
 {
   SceneObject staticObject; ///< its pose is the identity
   std::vector<SceneObject> dynamicObjects;
+  std::shared_ptr<const Sky> sky; ///< null: none
 
   const SceneObject& operator[](std::uint32_t object) const
   {

@@ -193,11 +193,9 @@ bool FrameLights::areOf(const SceneObjects& objects, const WalkPlan& plan) const
     return std::find(moved.begin(), moved.end(), true) != moved.end();
   };
   // A wall that a point light touches may move.
-  const auto isInAir = [](const WalkSource& source) {
-    return !source.lights.boundsInAir().isEmpty();
-  };
+  const auto mayTouchWalls = [](const WalkSource& source) { return source.lights.mayTouchWalls(); };
   return !sources_.empty() && plan == plan_ && areLightsUnchanged(objects, objects_) &&
-    !(std::any_of(sources_.begin(), sources_.end(), isInAir) && haveMoved());
+    !(std::any_of(sources_.begin(), sources_.end(), mayTouchWalls) && haveMoved());
 }
 
 const std::vector<WalkSource>& FrameLights::sources(const SceneObjects& objects,

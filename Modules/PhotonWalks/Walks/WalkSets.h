@@ -56,6 +56,12 @@ public:
   bool isEmpty() const { return flux_ == 0; }
   /// Bounds of the lights in the air.
   Box boundsInAir() const;
+  /// Of their lights, see LightTable.
+  bool mayTouchWalls() const
+  {
+    return std::any_of(
+      sets_.begin(), sets_.end(), [](const WalkSet& set) { return set.lights().mayTouchWalls(); });
+  }
   /// Walks stay inside, except where they escape.
   Box bounds(const Scene& scene) const;
   /// The walks of all sets, round by round.

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Input/SkyFields.h"
+
+#include "Progress/InputError.h"
+#include "Sampling/DirectionTable.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace irradiance
+{
+
+namespace
+{
+
+constexpr const char *kSkyRadiance = "SkyRadiance", *kSunIrradiance = "SunIrradiance",
+                     *kSkyWeights = "SkyWeights", *kSkyBounds = "SkyBounds";
+
+class SkyFields
+{
+public:
+  SkyFields(const std::string& where, vtkPolyData* input)
+    : where_(where)
+    , fields_(input->GetFieldData())
+  {
+  }
+
+  bool has(const char* name) const { return fields_->GetArray(name) != nullptr; }
+
+  /// All values of an array of one component.
+  std::vector<double> numbers(const char* name) const
+  {
+    vtkDataArray* const array = found(name);
+    throwIf(array->GetNumberOfComponents() != 1,
+      where_ + ": the field-data array " + name + " has " +
+        std::to_string(array->GetNumberOfComponents()) + " components; 1 is possible");
+    std::vector<double> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      values[i] = array->GetComponent(static_cast<vtkIdType>(i), 0);
+    }
+    return values;
+  }
+
+  /// The one tuple of an array, of this many finite numbers; where one will do, it is repeated.
+  std::vector<double> tuple(const char* name, std::size_t size, bool mayBeOne, double least) const
+  {
+    vtkDataArray* const array = found(name);
+    const auto components = static_cast<std::size_t>(array->GetNumberOfComponents());
+    throwIf(
+      array->GetNumberOfTuples() != 1 || !(components == size || (mayBeOne && components == 1)),
+      where_ + ": the field-data array " + name + " is not one tuple of " + std::to_string(size) +
+        " components");
+    std::vector<double> values;
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      values.push_back(array->GetComponent(0, components == 1 ? 0 : static_cast<int>(i)));
+      throwIf(!(values.back() >= least && values.back() <= kMost),
+        where_ + ": the field-data array " + name + " has the value " + text(values.back()) +
+          ", which is not within " + text(least) + ".." + text(kMost));
+    }
+    return values;
+  }
+
+  static constexpr double kMost = 1e30;
+
+private:
+  vtkDataArray* found(const char* name) const
+  {
+    vtkDataArray* const array = fields_->GetArray(name);
+    throwIf(!array, where_ + ": has a sky, but not the field-data array " + name);
+    return array;
+  }
+
+  const std::string& where_;
+  vtkFieldData* fields_;
+};
+
+bool isDark(const std::vector<double>& values)
+{
+  return std::all_of(values.begin(), values.end(), [](double value) { return value == 0; });
+}
+
+Box withMargin(const std::string& where, Box box)
+{
+  constexpr double kMargin = 0.1; // of the diagonal
+  throwIf(box.isEmpty() || !(box.extent().norm() > 0),
+    where + ": has a sky, but nothing static tells where its light is wanted; set " + kSkyBounds +
+      " (Bounds of vtkSunSkySource)");
+  box.inflate(kMargin * box.extent().norm());
+  return box;
+}
+
+}
+
+bool hasSky(vtkPolyData* input)
+{
+  vtkFieldData* const fields = input->GetFieldData();
+  return fields->GetArray(kSkyRadiance) || fields->GetArray(kSunIrradiance);
+}
+
+int bandsOfSky(vtkPolyData* input)
+{
+  for (const char* const name : { kSunIrradiance, kSkyWeights })
+  {
+    vtkDataArray* const array = input->GetFieldData()->GetArray(name);
+    if (array && array->GetNumberOfComponents() == 3)
+    {
+      return 3;
+    }
+  }
+  return 1;
+}
+
+std::shared_ptr<const Sky> readSky(
+  const std::string& where, vtkPolyData* input, int bands, const Box& ofStatics)
+{
+  const SkyFields fields(where, input);
+  const auto count = static_cast<std::size_t>(bands);
+  Sky sky;
+  if (fields.has(kSkyRadiance))
+  {
+    sky.radiance = fields.numbers(kSkyRadiance);
+    sky.polarAngles = fields.numbers("SkyPolarAngles");
+    sky.azimuths = fields.numbers("SkyAzimuths");
+    try
+    {
+      const DirectionTable check(sky.polarAngles, sky.azimuths, sky.radiance);
+    }
+    catch (const InputError& error)
+    {
+      throw InputError(where + ": of the table " + kSkyRadiance + ", " + error.what());
+    }
+    sky.bandWeights = fields.has(kSkyWeights) ? fields.tuple(kSkyWeights, count, true, 0)
+                                              : std::vector<double>(count, 1);
+    if (isDark(sky.radiance) || isDark(sky.bandWeights))
+    {
+      sky.radiance.clear();
+    }
+  }
+  if (fields.has(kSunIrradiance))
+  {
+    sky.sunIrradiance = fields.tuple(kSunIrradiance, count, true, 0);
+    if (isDark(sky.sunIrradiance))
+    {
+      sky.sunIrradiance.clear();
+    }
+    else
+    {
+      const std::vector<double> towards = fields.tuple("SunDirection", 3, false, -SkyFields::kMost);
+      sky.towardsSun = Vector3(towards[0], towards[1], towards[2]).normalized();
+      throwIf(!(sky.towardsSun.norm() > 0.5), where + ": SunDirection is no direction");
+      constexpr double kWidest = 45; // degrees
+      const double degrees =
+        fields.has("SunAngularRadius") ? fields.tuple("SunAngularRadius", 1, true, 0).front() : 0;
+      throwIf(!(degrees <= kWidest),
+        where + ": SunAngularRadius is " + text(degrees) + " degrees; at most " + text(kWidest) +
+          " are possible");
+      sky.sunRadius = degrees * kPi / 180;
+    }
+  }
+  if (sky.radiance.empty() && sky.sunIrradiance.empty())
+  {
+    return nullptr;
+  }
+  if (fields.has(kSkyBounds))
+  {
+    const std::vector<double> bounds = fields.tuple(kSkyBounds, 6, false, -SkyFields::kMost);
+    sky.lit = { { bounds[0], bounds[2], bounds[4] }, { bounds[1], bounds[3], bounds[5] } };
+    throwIf(!(sky.lit.extent().minCoeff() > 0),
+      where + ": the field-data array " + kSkyBounds +
+        " is not xmin xmax ymin ymax zmin zmax of a box");
+  }
+  else
+  {
+    sky.lit = withMargin(where, ofStatics);
+  }
+  return std::make_shared<const Sky>(std::move(sky));
+}
+
+}

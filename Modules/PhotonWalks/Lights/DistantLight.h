@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef irradiance_DistantLight_h
+#define irradiance_DistantLight_h
+
+#include "Geometry/Ray.h"
+#include "Sampling/DirectionTable.h"
+#include "Surfaces/Sky.h"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace irradiance
+{
+
+class IntensityDistribution;
+
+/**
+ * The sky, or the sun: light from infinity. It enters a box in which all of the scene is, and its
+ * flux is what enters there. Directions point to where it comes from. The table has the radiance
+ * times the area of the box as it is seen from there, which is what rays start by: so between the
+ * angles of a table that product is bilinear.
+ */
+class DistantLight
+{
+public:
+  /// The radiance of a sky.
+  explicit DistantLight(const Sky& sky);
+  /// Its sun, in all directions of its disc alike.
+  static DistantLight sunOf(const Sky& sky);
+
+  /// The flux for each W/m2/sr of the table of a sky, m2 sr; of a sun for each W/m2, m2.
+  double extent() const
+  {
+    return table_ ? table_->integral() : 2 / (1 + cosine_) * meanCrossSection_;
+  }
+  const Box& bounds() const { return lit_; }
+  Ray leaving(const std::array<double, 2>& place, const std::array<double, 2>& direction) const;
+  /// m2, of the box as it is seen along a direction.
+  double crossSection(const Vector3& direction) const;
+  /// Where light that comes from a direction and reaches a place enters the box; for a place
+  /// outside, before it could meet anything.
+  Vector3 entry(const Vector3& place, const Vector3& direction) const;
+
+  /// A part of the sky, alike from pole to pole and around in the sine of the angle, or the sun.
+  struct Part
+  {
+    double upper, lower; ///< cosines to the zenith
+    double first, last;  ///< azimuths, radians
+    Vector3 middle;      ///< a direction
+    double radius;       ///< radians, from there
+    double flux;         ///< of the light's
+    double solidAngle() const { return (upper - lower) * (last - first); }
+  };
+  const std::vector<Part>& parts() const { return *parts_; }
+  /// A place of a part that the unit square chooses, with what its light brings.
+  struct Sample
+  {
+    Vector3 direction;
+    double solidAngle; ///< for which it stands, sr; 0 of a sun without a disc
+    double perWatt;    ///< W/m2 on a plane across, for each W of the light
+  };
+  Sample sample(const Part& part, const std::array<double, 2>& u) const;
+
+  std::shared_ptr<const IntensityDistribution> ofLuminaire; ///< none
+
+  friend bool operator==(const DistantLight& a, const DistantLight& b)
+  {
+    return a.lit_.lower == b.lit_.lower && a.lit_.upper == b.lit_.upper && a.axis_ == b.axis_ &&
+      a.cosine_ == b.cosine_ &&
+      (a.table_ == b.table_ || (a.table_ && b.table_ && *a.table_ == *b.table_));
+  }
+
+private:
+  DistantLight() = default;
+  Vector3 inDisc(const std::array<double, 2>& u) const;
+  /// With the density of what enters the box.
+  Vector3 sampleDisc(std::array<double, 2> u) const;
+  std::vector<Part> partsOfSky() const;
+
+  Box lit_;
+  std::shared_ptr<const DirectionTable> table_;    ///< of a sky
+  Vector3 axis_ = Vector3::UnitZ();                ///< of a sun: to its middle
+  double cosine_ = 1;                              ///< of a sun: of its radius
+  double meanCrossSection_ = 0;                    ///< of a sun: m2, over its disc
+  std::shared_ptr<const std::vector<Part>> parts_; ///< of all copies of a light
+};
+
+}
+
+#endif
