@@ -2,7 +2,7 @@
 """An office by the light of its luminaires, as their photometric files say, while somebody walks through it.
 
 Writes two such files, an IES and a EULUMDAT one, as manufacturers give them, reads them by vtkLuminaireReader, hangs
-12 luminaires and lets a person walk between the desks. Office.md in Documentation/ tells more.
+12 luminaires and lets a person walk between the desks. Documentation/Office.md tells more.
 """
 import argparse
 import csv
@@ -12,21 +12,18 @@ import sys
 from pathlib import Path
 
 import numpy as np
-import vtkmodules.vtkRenderingFreeType  # for the text of the legend
 from vtkmodules.numpy_interface.dataset_adapter import WrapDataObject
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkArrayCalculator, vtkCleanPolyData
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkFiltersSources import vtkCapsuleSource, vtkPlaneSource
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkIOOggTheora import vtkOggTheoraWriter
 from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataWriter
-from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
-from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkRenderer,
-                                         vtkRenderWindow, vtkTextActor, vtkWindowToImageFilter)
+from vtkmodules.vtkRenderingCore import vtkRenderWindow
 import vtkmodules.vtkRenderingOpenGL2
 
+from Film import Film
+from LampFiles import write_eulumdat, write_ies
 import vtkIrradiance
 
 HELP = """Office: an office by the light of 12 luminaires from an IES and a EULUMDAT file; somebody walks through it.
@@ -45,66 +42,7 @@ ISLANDS = [(x, y) for x in (3, 9) for y in (2.2, 5.8)]  # the middles of two des
 PANELS = [(x, y) for x in (1.5, 4.5, 7.5, 10.5) for y in (2, 6)]
 EFFICACY = 300  # lumens in a watt of the light of white LEDs, typically
 SECONDS = 12  # of the walk
-WALK = [(0, 0.8, 4), (4, 5.4, 4), (5, 6, 3.4), (7, 6, 1.1), (8.2, 7, 0.7), (10, 9, 0.7), (12, 10.6, 1.4)]  # s, m, m
-
-
-# The lamp files. A manufacturer's come from a goniophotometer; here formulas make up for one.
-
-def panel_shape(gamma, c):
-    """Downwards alone, dimmed above 60 degrees, as for screens; a square one is not quite round."""
-    dimmed = 1 / (1 + (gamma / np.radians(64))**14)
-    return np.maximum(np.cos(gamma), 0)**1.3 * dimmed * (1 + 0.06 * np.cos(4 * c) * np.sin(gamma)**2)
-
-
-def pendant_shape(gamma, c):
-    """Two fifths down, the others up to the ceiling, both more to the sides than along the lamp."""
-    wide = 1 + 0.25 * np.cos(2 * c) * np.sin(gamma)**2
-    down = np.maximum(np.cos(gamma), 0) * (1 + 0.8 * np.sin(gamma)**2) / (1 + (gamma / np.radians(65))**14)
-    up = np.maximum(-np.cos(gamma), 0) * (0.7 + 2.4 * np.sin(gamma)**2)
-    return wide * (0.9 * down + 0.6 * up)
-
-
-def candelas(shape, lumens, gammas, planes):
-    """A row for each C plane, with so much light in all."""
-    gamma, c = np.meshgrid(np.radians(gammas), np.radians(planes))
-    values = shape(gamma, c)
-    zones = (values[:, 1:] + values[:, :-1]) / 2 * -np.diff(np.cos(gamma))
-    return values * lumens / (2 * np.pi * zones.sum(axis=1).mean())
-
-
-def rows_of(table):
-    return "\n".join(" ".join(f"{value:.1f}" for value in row) for row in table)
-
-
-def write_ies(path, lumens):
-    """LM-63-2002: a square of 0.6 m, type C, lengths in m."""
-    gammas, planes = np.arange(0, 91, 5), np.arange(0, 360, 15)  # 19 x 24
-    table = candelas(panel_shape, lumens, gammas, planes)
-    path.write_text(f"""IESNA:LM-63-2002
-[TEST] none: a formula
-[TESTLAB] vtkIrradiance, Examples/Office
-[ISSUEDATE] 2024
-[MANUFAC] nobody
-[LUMCAT] PANEL-600
-[LUMINAIRE] Recessed LED panel, 600 x 600 mm
-TILT=NONE
-1 -1 1 {len(gammas)} {len(planes) + 1} 1 2 0.6 0.6 0
-1 1 36
-{rows_of([gammas])}
-{rows_of([[*planes, 360]])}
-{rows_of([*table, table[0]])}
-""", encoding="ascii")
-
-
-def write_eulumdat(path, lumens):
-    """A strip of 1.4 m x 80 mm that shines up and down; cd/klm of a quarter, as it is symmetric (4)."""
-    gammas, planes = np.arange(0, 181, 10), np.arange(0, 360, 15)  # 19 x 24
-    table = candelas(pendant_shape, 1000, gammas, planes)[:7]
-    head = ["nobody", 2, 4, len(planes), 15, len(gammas), 10, "none: a formula", "LED pendant, direct and indirect",
-            "PENDANT-1400", path.name, "2024", 1400, 80, 50, 1400, 80, 0, 0, 0, 0, 40, 100, 1, 0,
-            1, -1, "LED", lumens, "4000 K", 80, 45, *[0] * 10]
-    path.write_text("\n".join(str(item) for item in [*head, *planes, *gammas]) + "\n" +
-                    rows_of(table).replace(" ", "\n") + "\n", encoding="ascii")
+WALK = [(0, 0.6, 4), (3, 4.2, 4), (5.6, 4.2, 0.8), (8.4, 7.8, 0.8), (11, 7.8, 4), (12, 9, 4)]  # s, m, m
 
 
 def hang(file, name, poses):
@@ -223,7 +161,7 @@ def make_light(folder, walks, cell):
     pendants = hang(folder / "Pendant.ldt", "pendants", [pose_at(x, y, 2, 90) for x, y in ISLANDS])
     places = [(x, y + 0.4 * side, side) for x, y in ISLANDS for side in (-1, 1)]
     chairs = named(join([make_chair(x, y + 0.75 * side, side) for x, y, side in places]), "chairs")
-    desks = [make_desk(x, y, cell, f"desk {i + 1}") for i, (x, y, side) in enumerate(places)]
+    desks = [make_desk(x, y, cell, f"desk{i + 1}") for i, (x, y, side) in enumerate(places)]
 
     pose = vtkIrradiance.vtkKeyFramedPose()
     pose.SetInputData(make_person())
@@ -272,96 +210,6 @@ def write_table(path, frames):
 
 def time_of(frame, frames):
     return SECONDS * frame / max(1, frames - 1)
-
-
-class Film:
-    """Looks into the office from above; ceiling and near walls are left out."""
-
-    def __init__(self, folder):
-        self.folder = folder
-        (folder / "pictures").mkdir()
-        self.colours = vtkColorTransferFunction()
-        for lux, *colour in ((0, 0, 0, 0.1), (150, 0.2, 0.1, 0.6), (300, 0, 0.55, 0.75), (500, 0.15, 0.75, 0.3),
-                             (750, 0.95, 0.85, 0.1), (1000, 1, 0.3, 0)):
-            self.colours.AddRGBPoint(lux, *colour)
-        self.renderer = vtkRenderer()
-        self.renderer.SetBackground(0.15, 0.15, 0.17)
-        camera = self.renderer.GetActiveCamera()
-        camera.SetViewUp(0, 0, 1)
-        camera.SetPosition(6, -9.5, 11)
-        camera.SetFocalPoint(6, 3.7, 0.6)
-        camera.SetViewAngle(37)
-        camera.SetWindowCenter(0.1, 0)  # leaves a margin to the legend
-        self.window = vtkRenderWindow()
-        self.window.OffScreenRenderingOn()
-        self.window.SetSize(1120, 720)
-        self.window.AddRenderer(self.renderer)
-        self.movie = vtkOggTheoraWriter()
-        self.movie.SetFileName(str(folder / "Office.ogv"))
-        self.movie.SetRate(4)
-
-    def add(self, output, name, caption):
-        self.renderer.RemoveAllViewProps()
-        for i, mesh in enumerate(output):
-            self.renderer.AddActor(self.actor_of(mesh.VTKObject, is_room=i == 0, is_lamp=i in (1, 2)))
-        self.renderer.AddViewProp(self.legend())
-        text = vtkTextActor()
-        text.SetInput(caption)
-        text.SetPosition(20, 20)
-        text.GetTextProperty().SetFontSize(18)
-        self.renderer.AddViewProp(text)
-        self.renderer.ResetCameraClippingRange()
-        grabber = vtkWindowToImageFilter()
-        grabber.SetInput(self.window)
-        grabber.Update()
-        self.write_picture(grabber, self.folder / "pictures" / f"{name}.png")
-        self.write_picture(grabber, self.folder / "Office.png")  # the last one stays
-        if not self.movie.GetInput():
-            self.movie.SetInputData(grabber.GetOutput())
-            self.movie.Start()
-        self.movie.SetInputData(grabber.GetOutput())
-        self.movie.Write()
-
-    def end(self):
-        self.movie.End()
-
-    def actor_of(self, mesh, is_room, is_lamp):
-        """VTK's own lights are off; lamps are white."""
-        mapper = vtkPolyDataMapper()
-        mapper.SetInputData(mesh)
-        mapper.SetScalarModeToUseCellFieldData()
-        mapper.SelectColorArray("Illuminance")
-        mapper.SetLookupTable(self.colours)
-        mapper.UseLookupTableScalarRangeOn()
-        mapper.SetScalarVisibility(not is_lamp)
-        actor = vtkActor()
-        actor.SetMapper(mapper)
-        actor.GetProperty().LightingOff()
-        actor.GetProperty().SetBackfaceCulling(is_room)  # its outside
-        if is_lamp:
-            actor.GetProperty().SetRepresentationToWireframe()
-        return actor
-
-    def legend(self):
-        legend = vtkScalarBarActor()
-        legend.SetLookupTable(self.colours)
-        legend.SetTitle("Illuminance (lx)")
-        legend.SetLabelFormat("  %-.3g")
-        legend.SetMaximumNumberOfColors(256)
-        legend.UnconstrainedFontSizeOn()
-        legend.GetTitleTextProperty().SetFontSize(14)
-        legend.SetVerticalTitleSeparation(12)
-        legend.SetPosition(0.88, 0.1)
-        legend.SetWidth(0.1)
-        legend.SetHeight(0.8)
-        return legend
-
-    @staticmethod
-    def write_picture(grabber, path):
-        picture = vtkPNGWriter()
-        picture.SetInputConnection(grabber.GetOutputPort())
-        picture.SetFileName(str(path))
-        picture.Write()
 
 
 def prepare_folder(folder):
