@@ -75,7 +75,7 @@ LampPieces::Node LampPieces::nodeOf(std::uint32_t first, std::uint32_t end) cons
   }
   Box bounds;
   Vector3 normals = Vector3::Zero();
-  bool areFlat = true;
+  bool areFlat = true, areOfOne = true;
   double perArea = 0; // W/m2 of what is distant, across
   node.lamp.share = 0;
   node.lamp.flux = 0;
@@ -86,12 +86,15 @@ LampPieces::Node LampPieces::nodeOf(std::uint32_t first, std::uint32_t end) cons
     node.lamp.flux += piece.flux;
     normals += piece.flux * piece.normal;
     perArea += piece.crossSection > 0 ? piece.flux / piece.crossSection : -kInfinity;
-    areFlat = areFlat && piece.cone.isFlat() && !piece.distribution;
+    areFlat = areFlat && piece.cone.isFlat();
+    areOfOne = areOfOne && piece.distribution == pieces_[order_[first]].distribution;
   }
+  // Faces of one luminaire, those that look away from a cell apart from the others.
+  node.lamp.distribution = areOfOne ? pieces_[order_[first]].distribution : nullptr;
   node.lamp.crossSection = perArea > 0 ? node.lamp.flux / perArea : 0;
   node.lamp.center = bounds.center();
   node.lamp.radius = bounds.extent().norm() / 2;
-  if (areFlat && !normals.isZero(1e-9 * node.lamp.flux))
+  if (areFlat && areOfOne && !normals.isZero(1e-9 * node.lamp.flux))
   {
     node.lamp.normal = normals.normalized();
     double cosine = 1;
