@@ -28,7 +28,7 @@ import vtkIrradiance
 
 HELP = """Office: an office by the light of 12 luminaires from an IES and a EULUMDAT file; somebody walks through it.
 
-  --walks N        photon walks (1000000)
+  --walks N        photon walks (4000000)
   --frames N       frames of the walk through the office (24)
   --cell METRES    the largest cells of room and desks (0.1)
   --output FOLDER  where all results go (./Office-output)
@@ -235,7 +235,7 @@ def write_series(folder, times):
 def read_options():
     parser = argparse.ArgumentParser(prog="Office")
     parser.format_help = lambda: HELP
-    parser.add_argument("--walks", type=int, default=1000000)
+    parser.add_argument("--walks", type=int, default=4000000)
     parser.add_argument("--frames", type=int, default=24)
     parser.add_argument("--cell", type=float, default=0.1)
     parser.add_argument("--output", type=Path, default=Path("Office-output"))
