@@ -86,12 +86,12 @@ struct Grid
   }
 };
 
-double one(const Vector3&)
+double alike(const Vector3&)
 {
   return 1;
 }
 
-std::vector<double> random(std::size_t count, unsigned seed)
+std::vector<double> randomValues(std::size_t count, unsigned seed)
 {
   std::mt19937 engine(seed);
   std::vector<double> values(count);
@@ -105,12 +105,12 @@ std::vector<Grid> grids()
   return { { "round", { 0, 45, 90 }, { 0 }, { 1, 0.7, 0 } },
     { "one plane elsewhere", { 20, 70, 180 }, { 77 }, { 3, 1, 2 } },
     { "jumps", { 0, 30, 30, 90, 90, 120, 120 }, { 0 }, { 1, 2, 5, 4, 0, 1, 0 } },
-    { "to the axis", { 100, 140, 180 }, { 0, 90, 360 }, random(9, 1) },
-    { "part", { 10, 50, 100 }, { 20, 60, 100 }, random(9, 2) },
-    { "all around", { 0, 20, 60, 130, 180 }, { 0, 90, 180, 270, 360 }, random(25, 3) },
-    { "negative", { 0, 60, 90 }, { -75, -30, 0, 45 }, random(12, 4) },
-    { "over 360", { 0, 60, 90 }, { 345, 360, 390 }, random(9, 5) },
-    { "from 300 on", { 0, 60, 60, 90 }, { 300, 390, 500, 660 }, random(16, 6) },
+    { "to the axis", { 100, 140, 180 }, { 0, 90, 360 }, randomValues(9, 1) },
+    { "part", { 10, 50, 100 }, { 20, 60, 100 }, randomValues(9, 2) },
+    { "all around", { 0, 20, 60, 130, 180 }, { 0, 90, 180, 270, 360 }, randomValues(25, 3) },
+    { "negative", { 0, 60, 90 }, { -75, -30, 0, 45 }, randomValues(12, 4) },
+    { "over 360", { 0, 60, 90 }, { 345, 360, 390 }, randomValues(9, 5) },
+    { "from 300 on", { 0, 60, 60, 90 }, { 300, 390, 500, 660 }, randomValues(16, 6) },
     { "beam", { 0, 0.25, 0.5, 180 }, { 0, 180, 360 },
       { 1e5, 8e4, 0.1, 0.1, 1e5, 2e4, 0, 0.2, 1e5, 8e4, 0.1, 0.1 } },
     { "dark", { 0, 20, 40, 60, 80 }, { 0, 40, 80, 120, 160 },
@@ -163,7 +163,7 @@ TEST(DirectionTable, IntegralIsThatOfAFineQuadrature)
   EXPECT_NEAR(DirectionTable({ 60, 90 }, { 0, 90 }, { 2, 2, 2, 2 }).integral(), M_PI / 2, 1e-13);
   for (const Grid& grid : grids())
   {
-    const double expected = grid.integral(one);
+    const double expected = grid.integral(alike);
     const bool isNarrow = grid.polar[1] < 1; // there differences of cosines round, and one part is
     const double rounding = isNarrow ? 1e-10 : 1e-12, ofParts = isNarrow ? 0.2 : 1e-4; // a step
     EXPECT_NEAR(grid.table().integral(), expected, rounding * expected) << grid.name;
@@ -212,7 +212,7 @@ TEST(DirectionTable, SamplesHaveItsDensity)
       ++counts[16 * (angle * grid.steps() + step) + 4 * quarter(around, from, to) +
         quarter(polar, kDegrees * grid.polar[angle], kDegrees * grid.polar[angle + 1])];
     }
-    const double all = grid.integral(one);
+    const double all = grid.integral(alike);
     double chiSquare = 0;
     int bins = 0;
     for (std::size_t i = 0; i < counts.size(); ++i)
@@ -220,7 +220,7 @@ TEST(DirectionTable, SamplesHaveItsDensity)
       const double x = static_cast<double>(i / 4 % 4) / 4, y = static_cast<double>(i % 4) / 4;
       const double expected = kSamples / all *
         grid.over(
-          i / 16 % grid.steps(), i / 16 / grid.steps(), one, { x, x + 0.25, y, y + 0.25 }, 1);
+          i / 16 % grid.steps(), i / 16 / grid.steps(), alike, { x, x + 0.25, y, y + 0.25 }, 1);
       if (expected > 8)
       {
         chiSquare += std::pow(counts[i] - expected, 2) / expected;

@@ -28,7 +28,7 @@ std::array<double, 2> otherSquare(const std::array<double, 2>& u)
 
 /// Normals go with the inverse, so that they stay across what they were across.
 IntensityDistribution::IntensityDistribution(
-  const Luminaire& lamp, const AffineMap& worldFromObject)
+  const Luminaire& lamp, const AffineMap& worldFromObject, bool hasShares)
   : table_(lamp.intensity)
 {
   const Matrix3& linear = worldFromObject.linear;
@@ -42,7 +42,7 @@ IntensityDistribution::IntensityDistribution(
     areas_.push_back(ofNormals * face);
   }
   shares_.assign(areas_.size(), areas_.size() == 1 ? 1 : 0);
-  if (areas_.size() < 2)
+  if (areas_.size() < 2 || !hasShares)
   {
     return;
   }
@@ -150,7 +150,7 @@ Bands emittedFrom(
   if (const Luminaire* const lamp = object.emission->luminaireOf(cell))
   {
     const double radiance =
-      IntensityDistribution(*lamp, object.worldFromObject).radiance(direction);
+      IntensityDistribution(*lamp, object.worldFromObject, false).radiance(direction);
     std::transform(lamp->flux.begin(), lamp->flux.end(), emitted.begin(),
       [radiance](double watts) { return kPi * radiance * watts; });
     return emitted;
