@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Lights/IntensityDistribution.h"
+
+#include "Kit.h"
+
+namespace irradiance::test
+{
+namespace
+{
+
+/// Steps of two thirds of a degree, in whose midpoints there is no chance.
+constexpr int kPolarSteps = 270, kTurnSteps = 540;
+
+/// Calls visit(direction, solidAngle) all around.
+template <class Visit>
+void forEachDirection(const Visit& visit)
+{
+  for (int i = 0; i < kPolarSteps * kTurnSteps; ++i)
+  {
+    const double polar = M_PI * (i / kTurnSteps + 0.5) / kPolarSteps,
+                 azimuth = 2 * M_PI * (i % kTurnSteps + 0.5) / kTurnSteps;
+    visit(Vector3(std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth),
+            std::cos(polar)),
+      std::sin(polar) * (M_PI / kPolarSteps) * (2 * M_PI / kTurnSteps));
+  }
+}
+
+/// With the faces of what was built.
+Luminaire lampOf(ObjectBuilder& body, const Luminaire& lamp)
+{
+  body.addOpening(0, lamp);
+  return body.emission().luminaires.back();
+}
+
+Luminaire boxLamp()
+{
+  ObjectBuilder body;
+  body.addBox(box({ 0, 0, 0 }, { 0.6, 0.4, 0.1 }), 2, {});
+  return lampOf(body, lopsidedLamp({ 1 }, true));
+}
+
+Luminaire roundLamp()
+{
+  ObjectBuilder body;
+  body.addSphere({ 0, 0, 0 }, 0.3, 6, {});
+  return lampOf(body, lopsidedLamp({ 1 }, true));
+}
+
+Luminaire flatLamp()
+{
+  ObjectBuilder body;
+  addPanel(body, { 0, 0, 0 }, 0.6, 0.6, 0);
+  return lampOf(body, lopsidedLamp({ 1 }));
+}
+
+double seenAreaOf(const std::vector<Vector3>& faces, const Vector3& direction)
+{
+  return std::accumulate(faces.begin(), faces.end(), 0.0,
+    [&](double sum, const Vector3& face) { return sum + std::max(0.0, face.dot(direction)); });
+}
+
+TEST(IntensityDistribution, HasTheTableInTheAxesOfTheLamp)
+{
+  RandomVectors random(3);
+  Luminaire lamp = boxLamp();
+  for (int i = 0; i < 50; ++i)
+  {
+    const Matrix3 axes = random.rotation();
+    lamp.axis = axes.col(0);
+    lamp.reference = axes.col(1);
+    const IntensityDistribution distribution(lamp, {}, false);
+    const Vector3 d = random.direction();
+    const Vector3 local(
+      d.dot(lamp.reference), d.dot(lamp.reference.cross(lamp.axis)), d.dot(lamp.axis));
+    const double expected = lamp.intensity->value(local) / lamp.intensity->integral();
+    EXPECT_NEAR(distribution.intensity(d), expected, 1e-12 * expected);
+    EXPECT_NEAR(distribution.radiance(d) * seenAreaOf(lamp.faces, d), expected, 1e-12 * expected);
+  }
+  double sum = 0;
+  const IntensityDistribution usual(boxLamp(), {});
+  forEachDirection([&](const Vector3& d, double angle) { sum += usual.intensity(d) * angle; });
+  EXPECT_NEAR(sum, 1, 1e-4);
+  EXPECT_EQ(IntensityDistribution(flatLamp(), {}).radiance({ 0.6, 0, 0.8 }), 0) << "behind";
+  EXPECT_EQ(IntensityDistribution(lopsidedLamp({ 1 }), {}).radiance({ 0, 0, -1 }), 0) << "a point";
+}
+
+TEST(IntensityDistribution, SharesOfFacesAreThoseOfAFineQuadrature)
+{
+  for (const Luminaire& lamp : { boxLamp(), roundLamp(), flatLamp() })
+  {
+    const IntensityDistribution distribution(lamp, {});
+    std::vector<double> expected(lamp.faces.size());
+    forEachDirection([&](const Vector3& d, double angle) {
+      const double perArea = distribution.intensity(d) / seenAreaOf(lamp.faces, d) * angle;
+      for (std::size_t i = 0; i < expected.size() && std::isfinite(perArea); ++i)
+      {
+        expected[i] += std::max(0.0, lamp.faces[i].dot(d)) * perArea;
+      }
+    });
+    double sum = 0;
+    for (std::size_t i = 0; i < expected.size(); ++i)
+    {
+      const double area = lamp.faces[i].norm();
+      const double share = distribution.shareOf(area, lamp.faces[i] / area);
+      EXPECT_NEAR(share, expected[i], 2e-4 * expected[i] + 1e-5) << "face " << i;
+      EXPECT_NEAR(distribution.shareOf(area / 4, lamp.faces[i] / area), share / 4, 1e-15);
+      sum += share;
+    }
+    EXPECT_NEAR(sum, 1, 1e-12);
+    EXPECT_EQ(distribution.shareOf(1, Vector3(0.1, 0.2, 0.3).normalized()), 0) << "no face";
+  }
+}
+
+// A pose turns and mirrors, but does not scale: radiance and area go together.
+TEST(IntensityDistribution, FollowsPoses)
+{
+  RandomVectors random(4);
+  const Luminaire lamp = boxLamp();
+  const IntensityDistribution before(lamp, {});
+  for (int i = 0; i < 12; ++i)
+  {
+    Matrix3 turned = random.rotation();
+    turned.col(1) *= i % 2 == 0 ? 1 : -1; // mirrored
+    const double scale = std::exp2(i % 5 - 2);
+    const IntensityDistribution after(lamp, { scale * turned, random.inCube() });
+    const Vector3 stretch(0.5, 3, 1.2);
+    const IntensityDistribution stretched(lamp, { turned * stretch.asDiagonal(), {} });
+    const Vector3 d = random.direction(), to = turned * d;
+    EXPECT_NEAR(after.intensity(to), before.intensity(d), 1e-12);
+    EXPECT_NEAR(after.radiance(to) * scale * scale, before.radiance(d), 1e-11);
+    EXPECT_NEAR(stretched.intensity(to), before.intensity(d), 1e-12);
+    std::vector<Vector3> faces = lamp.faces;
+    for (Vector3& face : faces)
+    {
+      const double area = face.norm();
+      EXPECT_NEAR(after.shareOf(area * scale * scale, turned * face / area),
+        before.shareOf(area, face / area), 1e-9);
+      face = turned * stretch.prod() * face.cwiseQuotient(stretch);
+    }
+    EXPECT_NEAR(stretched.radiance(to) * seenAreaOf(faces, to), before.intensity(d), 1e-12);
+  }
+  const IntensityDistribution twice(lamp, { 2 * Matrix3::Identity(), {} });
+  EXPECT_EQ(twice.radiance({ 0.6, 0, -0.8 }), before.radiance({ 0.6, 0, -0.8 }) / 4);
+  // Sheared, its axes are still at right angles.
+  Matrix3 shear = Matrix3::Identity();
+  shear(0, 1) = 0.7;
+  shear(1, 2) = -0.4;
+  double sum = 0;
+  const IntensityDistribution sheared(lamp, { shear, {} }, false);
+  forEachDirection([&](const Vector3& d, double angle) { sum += sheared.intensity(d) * angle; });
+  EXPECT_NEAR(sum, 1, 1e-3);
+}
+
+// In bins of 15 degrees. Chi-square is beyond 4.5 sigma in 1 of 300,000.
+TEST(IntensityDistribution, SamplesOfAFaceHaveItsDensity)
+{
+  constexpr int kAcross = 12, kAround = 24, kSamples = kIsSanitized ? 5000 : 20000;
+  const auto binOf = [](const Vector3& d) {
+    const double turns = std::atan2(d.y(), d.x()) / (2 * M_PI);
+    const int row = static_cast<int>(std::acos(d.z()) / M_PI * kAcross),
+              column = static_cast<int>((turns - std::floor(turns)) * kAround);
+    return static_cast<std::size_t>(std::min(row, kAcross - 1) * kAround + column);
+  };
+  const Luminaire body = boxLamp(), flat = flatLamp();
+  for (std::size_t i = 0; i <= body.faces.size(); ++i)
+  {
+    const Luminaire& lamp = i < body.faces.size() ? body : flat;
+    const Vector3 normal = lamp.faces[i % body.faces.size()].normalized();
+    const IntensityDistribution distribution(lamp, {});
+    std::vector<double> expected(kAcross * kAround), counts(expected.size());
+    RandomVectors random(8);
+    double all = 0;
+    forEachDirection([&](const Vector3& d, double angle) {
+      const double density = distribution.radiance(d) * std::max(0.0, normal.dot(d)) * angle;
+      expected[binOf(d)] += density;
+      all += density;
+    });
+    for (int k = 0; k < kSamples; ++k)
+    {
+      const double u = random.uniform(0x1p-33, 1 - 0x1p-33);
+      const Vector3 direction =
+        distribution.sample({ u, random.uniform(0x1p-33, 1 - 0x1p-33) }, normal);
+      EXPECT_GT(normal.dot(direction), 0);
+      counts[binOf(direction)] += 1;
+    }
+    double chiSquare = 0;
+    int bins = 0;
+    for (std::size_t bin = 0; bin < counts.size(); ++bin)
+    {
+      const double mean = expected[bin] / all * kSamples;
+      EXPECT_TRUE(mean > 0 || counts[bin] == 0);
+      chiSquare += mean > 8 ? std::pow(counts[bin] - mean, 2) / mean : 0;
+      bins += mean > 8 ? 1 : 0;
+    }
+    EXPECT_GE(bins, 20);
+    EXPECT_LT(chiSquare, chiSquareLimit(bins, 4.5)) << "face " << i;
+  }
+}
+
+}
+}
