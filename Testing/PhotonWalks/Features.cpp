@@ -215,9 +215,13 @@ std::function<Film()> underLuminaires(const EngineSettings& settings, double spe
     {
       body.translation[1] += frame % 2 == 1 ? 0.4 : 0;
       lamp.linear = frame < 2 ? Matrix3::Identity() : turned;
-      lamp.linear.col(0) *= frame == 4 ? -1 : 1;
       lamp.translation[0] += frame == 5 ? 1 : 0;
       film.push_back({ objects, settings });
+      if (frame == 4)
+      {
+        lamp.linear.col(0) *= -1;
+        film.back().objects.dynamicObjects[0] = mirrored(objects.dynamicObjects[0], lamp);
+      }
     }
     return film;
   };

@@ -154,7 +154,7 @@ TEST(IntensityDistribution, FollowsPoses)
 // In bins of 15 degrees. Chi-square is beyond 4.5 sigma in 1 of 300,000.
 TEST(IntensityDistribution, SamplesOfAFaceHaveItsDensity)
 {
-  constexpr int kAcross = 12, kAround = 24, kSamples = kIsSanitized ? 5000 : 20000;
+  constexpr int kAcross = 12, kAround = 24, kSamples = kIsSanitized ? 4000 : 10000;
   const auto binOf = [](const Vector3& d) {
     const double turns = std::atan2(d.y(), d.x()) / (2 * M_PI);
     const int row = static_cast<int>(std::acos(d.z()) / M_PI * kAcross),

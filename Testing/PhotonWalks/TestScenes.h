@@ -232,6 +232,19 @@ inline AffineMap shift(const Vector3& by)
   return { Matrix3::Identity(), by };
 }
 
+/// Its front is the mirror image of what it was, where its pose is mirrored.
+inline SceneObject mirrored(SceneObject object, const AffineMap& pose)
+{
+  std::vector<Triangle> triangles;
+  for (const Triangle& t : object.mesh().triangles())
+  {
+    triangles.push_back({ t.a, t.c, t.b });
+  }
+  object.body = std::make_shared<RigidObject>(TriangleMesh(triangles));
+  object.worldFromObject = pose;
+  return object;
+}
+
 /// An object without triangles.
 inline SceneObject nothing(int bands = 1)
 {
