@@ -190,28 +190,22 @@ TEST(Luminaires, HaveTheirFlux)
     { "the scene has no light" });
 }
 
+// These are normals and vectors, which VTK's filter turns.
 TEST(Luminaires, TurnWithTheirArrays)
 {
   int kind = 0;
   for (const Mesh& lamp : MakeLamps(Middle))
   {
     const std::string name = "kind " + std::to_string(kind++);
-    const Mesh turned = Copy(lamp);
-    SetCellValues(turned, "LampAxis", { 0, 0, -1 });
-    SetCellValues(turned, "LampReference", { 0, 1, 0 });
-    ExpectWalls(FoundBy(MakeBlackRoom({ turned })), Expected(Turned), name);
-    // Set as normals and vectors, the usual ones are turned by VTK's filter.
-    const Mesh usual = Copy(lamp);
-    SetCellValues(usual, "LampAxis", { 0, 0, -1 });
-    SetCellValues(usual, "LampReference", { 1, 0, 0 });
-    usual->GetCellData()->SetActiveNormals("LampAxis");
-    usual->GetCellData()->SetActiveVectors("LampReference");
+    SetCellValues(lamp, "LampAxis", { 0, 0, -1 });
+    SetCellValues(lamp, "LampReference", { 1, 0, 0 });
+    lamp->GetCellData()->SetActiveNormals("LampAxis");
+    lamp->GetCellData()->SetActiveVectors("LampReference");
     vtkNew<vtkTransform> quarter;
     quarter->Translate(2, 2, 2);
     quarter->RotateZ(90);
     quarter->Translate(-2, -2, -2);
-    ExpectWalls(
-      FoundBy(MakeBlackRoom({ Transformed(usual, quarter) })), Expected(Turned), name + ", by VTK");
+    ExpectWalls(FoundBy(MakeBlackRoom({ Transformed(lamp, quarter) })), Expected(Turned), name);
   }
 }
 
@@ -231,11 +225,6 @@ TEST(Luminaires, FollowTheirPoses)
       return Turned({ d[0], -d[1], d[2] });
     }),
       name + ", mirrored");
-    scene.Moving[0].Pose->RotateX(90);
-    ExpectWalls(FoundBy(scene), Expected([](const Vector& d) {
-      return Turned({ d[0], d[2], d[1] }); // -(-d[2]), and d[1]
-    }),
-      name + ", tilted");
   }
 }
 
@@ -285,9 +274,6 @@ TEST(Luminaires, SayWhatIsWrong)
   const auto with = [](const char* name, const std::vector<double>& values) {
     return [name, values](vtkPolyData* lamp) { SetField(lamp, name, values); };
   };
-  const auto flux = [](const std::vector<double>& values) {
-    return [values](vtkPolyData* lamp) { SetFlux(lamp, values); };
-  };
   const auto cells = [](const char* name, const std::vector<double>& values) {
     return [name, values](vtkPolyData* lamp) { SetCellValues(lamp, name, values); };
   };
@@ -306,9 +292,8 @@ TEST(Luminaires, SayWhatIsWrong)
     { with("AzimuthAngles", { 0, 90, 180, 170, 360 }), { "azimuth number 3 is 170" } },
     { with("RadiantIntensity", negative), { "value number 4 is -1" } },
     { with("RadiantIntensity", dark), { "shine 24 W", "RadiantIntensity is 0" } },
-    { flux({ -2 }), { "Flux", "-2 W" } },
-    { flux({ 1, 2 }), { "Flux", "1 or 3 components" } },
-    { with("Flux", { 1, 2 }), { "Flux", "one tuple" } },
+    { with("Flux", { -2 }), { "Flux", "-2 W" } },
+    { with("Flux", { 1, 2 }), { "Flux", "one tuple of 1 or 3" } },
     { cells("LampAxis", { 0, 0, 0 }), { "cell 0", "LampAxis is not a direction" } },
     { cells("LampReference", { 0, 0.6, 0.8 }), { "cell 0", "LampReference is not across" } },
     { cells("LampAxis", { 1, 0 }), { "cell 0", "LampAxis", "3 components" } },
@@ -322,15 +307,6 @@ TEST(Luminaires, SayWhatIsWrong)
     row.Spoil(lamp);
     std::vector<std::string> words = row.Words;
     words.emplace_back("onnection 1");
-    auto filter = MakeFilter(MakeBlackRoom({ lamp }), 100);
-    ExpectOnlyError(filter, words);
-    WithTable(lamp);
-    for (const char* name : { "LampAxis", "LampReference", "RadiantExitance", "RadiantFlux" })
-    {
-      lamp->GetCellData()->RemoveArray(name);
-    }
-    lamp->Modified();
-    ExpectNothing(Update(filter));
-    EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 2u) << "it works again";
+    ExpectOnlyError(MakeFilter(MakeBlackRoom({ lamp }), 100), words);
   }
 }

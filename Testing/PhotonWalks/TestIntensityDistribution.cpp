@@ -1,29 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Lights/IntensityDistribution.h"
 
+#include "DirectionBins.h"
 #include "Kit.h"
 
 namespace irradiance::test
 {
 namespace
 {
-
-/// Steps of two thirds of a degree, in whose midpoints there is no chance.
-constexpr int kPolarSteps = 270, kTurnSteps = 540;
-
-/// Calls visit(direction, solidAngle) all around.
-template <class Visit>
-void forEachDirection(const Visit& visit)
-{
-  for (int i = 0; i < kPolarSteps * kTurnSteps; ++i)
-  {
-    const double polar = M_PI * (i / kTurnSteps + 0.5) / kPolarSteps,
-                 azimuth = 2 * M_PI * (i % kTurnSteps + 0.5) / kTurnSteps;
-    visit(Vector3(std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth),
-            std::cos(polar)),
-      std::sin(polar) * (M_PI / kPolarSteps) * (2 * M_PI / kTurnSteps));
-  }
-}
 
 /// With the faces of what was built.
 Luminaire lampOf(ObjectBuilder& body, const Luminaire& lamp)
@@ -151,49 +135,19 @@ TEST(IntensityDistribution, FollowsPoses)
   EXPECT_NEAR(sum, 1, 1e-3);
 }
 
-// In bins of 15 degrees. Chi-square is beyond 4.5 sigma in 1 of 300,000.
 TEST(IntensityDistribution, SamplesOfAFaceHaveItsDensity)
 {
-  constexpr int kAcross = 12, kAround = 24, kSamples = kIsSanitized ? 4000 : 10000;
-  const auto binOf = [](const Vector3& d) {
-    const double turns = std::atan2(d.y(), d.x()) / (2 * M_PI);
-    const int row = static_cast<int>(std::acos(d.z()) / M_PI * kAcross),
-              column = static_cast<int>((turns - std::floor(turns)) * kAround);
-    return static_cast<std::size_t>(std::min(row, kAcross - 1) * kAround + column);
-  };
-  const Luminaire body = boxLamp(), flat = flatLamp();
-  for (std::size_t i = 0; i <= body.faces.size(); ++i)
+  for (const Luminaire& lamp : { boxLamp(), flatLamp() })
   {
-    const Luminaire& lamp = i < body.faces.size() ? body : flat;
-    const Vector3 normal = lamp.faces[i % body.faces.size()].normalized();
-    const IntensityDistribution distribution(lamp, {});
-    std::vector<double> expected(kAcross * kAround), counts(expected.size());
-    RandomVectors random(8);
-    double all = 0;
-    forEachDirection([&](const Vector3& d, double angle) {
-      const double density = distribution.radiance(d) * std::max(0.0, normal.dot(d)) * angle;
-      expected[binOf(d)] += density;
-      all += density;
-    });
-    for (int k = 0; k < kSamples; ++k)
+    for (const Vector3& face : lamp.faces)
     {
-      const double u = random.uniform(0x1p-33, 1 - 0x1p-33);
-      const Vector3 direction =
-        distribution.sample({ u, random.uniform(0x1p-33, 1 - 0x1p-33) }, normal);
-      EXPECT_GT(normal.dot(direction), 0);
-      counts[binOf(direction)] += 1;
+      SCOPED_TRACE(face.transpose());
+      const IntensityDistribution distribution(lamp, {});
+      const Vector3 normal = face.normalized();
+      expectDensity(
+        [&](const Vector3& d) { return distribution.radiance(d) * std::max(0.0, normal.dot(d)); },
+        [&](const std::array<double, 2>& u) { return distribution.sample(u, normal); });
     }
-    double chiSquare = 0;
-    int bins = 0;
-    for (std::size_t bin = 0; bin < counts.size(); ++bin)
-    {
-      const double mean = expected[bin] / all * kSamples;
-      EXPECT_TRUE(mean > 0 || counts[bin] == 0);
-      chiSquare += mean > 8 ? std::pow(counts[bin] - mean, 2) / mean : 0;
-      bins += mean > 8 ? 1 : 0;
-    }
-    EXPECT_GE(bins, 20);
-    EXPECT_LT(chiSquare, chiSquareLimit(bins, 4.5)) << "face " << i;
   }
 }
 
