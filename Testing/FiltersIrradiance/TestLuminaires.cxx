@@ -6,6 +6,8 @@
 #include "OutputBits.h"
 #include "TestScenes.h"
 
+#include "vtkDiskSource.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -226,6 +228,27 @@ TEST(Luminaires, FollowTheirPoses)
     }),
       name + ", mirrored");
   }
+}
+
+// In floats each of many small cells of a tilted disc looks another way.
+TEST(Luminaires, MayHaveManyCellsInOnePlane)
+{
+  vtkNew<vtkDiskSource> disc;
+  disc->SetInnerRadius(0);
+  disc->SetRadialResolution(40);
+  disc->SetCircumferentialResolution(120);
+  vtkNew<vtkTransform> tilt;
+  tilt->Translate(2, 2, 2);
+  tilt->RotateX(210);
+  vtkNew<vtkTransformPolyDataFilter> tilted;
+  tilted->SetInputConnection(disc->GetOutputPort());
+  tilted->SetTransform(tilt);
+  tilted->Update();
+  const Mesh lamp = WithTable(Copy(tilted->GetOutput()));
+  SetCellValues(lamp, "LampAxis", { 0, 0.5, -std::sqrt(0.75) });
+  auto filter = MakeFilter(MakeBlackRoom({ lamp }), 1000);
+  ExpectNothing(Update(filter));
+  EXPECT_NEAR(Field(filter, "EmittedPower"), Flux, 1e-3 * Flux);
 }
 
 TEST(Luminaires, UpdateEqualsRebuildWhileTheyMove)

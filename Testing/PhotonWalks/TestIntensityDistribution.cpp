@@ -91,6 +91,8 @@ TEST(IntensityDistribution, SharesOfFacesAreThoseOfAFineQuadrature)
       sum += share;
     }
     EXPECT_NEAR(sum, 1, 1e-12);
+    const Vector3 rounded = (lamp.faces[0].normalized() + Vector3(1e-3, 1e-3, 0)).normalized();
+    EXPECT_GT(distribution.shareOf(1, rounded), 0) << "a triangle with coordinates in floats";
     EXPECT_EQ(distribution.shareOf(1, Vector3(0.1, 0.2, 0.3).normalized()), 0) << "no face";
   }
 }

@@ -45,10 +45,11 @@ std::vector<double> numbersOf(const std::string& where, vtkPolyData* input, cons
   return numbers;
 }
 
-/// Adds a triangle to the face that looks the same way.
+/// Adds a triangle to the face that looks the same way: up to .1 degrees, as rounding of coordinates
+/// in floats turns small triangles of a plane.
 void addFace(const Triangle& triangle, std::vector<Vector3>& faces)
 {
-  constexpr double kSame = 1 - 1e-12; // cosine
+  constexpr double kSame = 1 - 1e-6; // cosine
   const Vector3 area = triangle.areaVector() / 2;
   const auto same = std::find_if(faces.begin(), faces.end(),
     [&](const Vector3& face) { return face.dot(area) >= kSame * face.norm() * area.norm(); });

@@ -13,7 +13,8 @@ namespace irradiance
 namespace
 {
 
-constexpr double kParallel = 1 - 1e-9; ///< cosine between normals of faces of one plane
+/// Cosine between normals of triangles and of the face of which they are a part.
+constexpr double kParallel = 1 - 4e-6;
 
 /// Numbers that have nothing to do with these.
 std::array<double, 2> otherSquare(const std::array<double, 2>& u)
