@@ -38,15 +38,6 @@ struct Daylight
   double Time; ///< of the row
 };
 
-void CheckWithin(const char* name, double value, double low, double high)
-{
-  irradiance::throwIf(!(value >= low && value <= high),
-    std::string(name) + " is " + irradiance::text(value) + "; it has to be " +
-      (high < VTK_DOUBLE_MAX ? irradiance::text(low) + " to " + irradiance::text(high)
-          : low == 0         ? "0 or more"
-                             : "finite"));
-}
-
 void AddSky(vtkFieldData* fields, const char* name, const std::vector<double>& values)
 {
   const auto array =
@@ -132,10 +123,11 @@ public:
 
   void CheckProperties() const
   {
+    using irradiance::checkWithin;
     const vtkSunSkySource* s = this->Source;
-    CheckWithin("SunAngularRadius", s->SunAngularRadius, 0, 10);
-    CheckWithin("North", s->North, -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX);
-    CheckWithin("GroundReflectance", s->GroundReflectance, 0, 1);
+    checkWithin("SunAngularRadius", s->SunAngularRadius, 0, 10);
+    checkWithin("North", s->North, -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX);
+    checkWithin("GroundReflectance", s->GroundReflectance, 0, 1);
     if (this->HasBounds())
     {
       const double* const box = s->Bounds;
@@ -153,22 +145,22 @@ public:
     }
     if (s->SkyModel == CIEGeneral)
     {
-      CheckWithin("CIEType", s->CIEType, 1, 15);
+      checkWithin("CIEType", s->CIEType, 1, 15);
     }
     if (!this->HasSeries)
     {
-      CheckWithin("DirectNormalIrradiance", s->DirectNormalIrradiance, 0, VTK_DOUBLE_MAX);
-      CheckWithin("DiffuseHorizontalIrradiance", s->DiffuseHorizontalIrradiance, 0, VTK_DOUBLE_MAX);
+      checkWithin("DirectNormalIrradiance", s->DirectNormalIrradiance, 0, VTK_DOUBLE_MAX);
+      checkWithin("DiffuseHorizontalIrradiance", s->DiffuseHorizontalIrradiance, 0, VTK_DOUBLE_MAX);
     }
     if (this->HasSeries || s->SunFrom == PlaceAndTime)
     {
-      CheckWithin("Latitude", s->Latitude, -90, 90);
-      CheckWithin("Longitude", s->Longitude, -180, 360);
-      CheckWithin("TimeZone", s->TimeZone, -14, 14);
+      checkWithin("Latitude", s->Latitude, -90, 90);
+      checkWithin("Longitude", s->Longitude, -180, 360);
+      checkWithin("TimeZone", s->TimeZone, -14, 14);
       return;
     }
-    CheckWithin("SunAzimuth", s->SunAzimuth, -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX);
-    CheckWithin("SunAltitude", s->SunAltitude, -90, 90);
+    checkWithin("SunAzimuth", s->SunAzimuth, -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX);
+    checkWithin("SunAltitude", s->SunAltitude, -90, 90);
   }
 
   /// In the frame of the scene.

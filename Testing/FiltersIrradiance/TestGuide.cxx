@@ -4,6 +4,7 @@
 #include "ErrorObserver.h"
 #include "TestScenes.h"
 
+#include "vtkBeamLightSource.h"
 #include "vtkImageData.h"
 #include "vtkIrradianceProbeFilter.h"
 #include "vtkKeyFramedPose.h"

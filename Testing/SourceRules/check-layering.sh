@@ -22,7 +22,7 @@ rooms=(
   RayCasting/{Simd,Progress,Geometry,Meshes,Trees,Ellipsoids,Kernels,Scene} RayCasting
   PhotonWalks/{Execution,Sampling,Surfaces,Lights,History,Photons,Tally,DirectLight,Shooting,Repair,Walks,FinalGather,Estimates,Exposure} PhotonWalks
   PhotonWalks/Views
-  FiltersIrradiance/{Data,Input,Daylight,Pipeline,Output,Time} FiltersIrradiance)
+  FiltersIrradiance/{Data,Luminaires,Input,Daylight,Pipeline,Output,Time} FiltersIrradiance)
 failures=0
 
 # reject FILE LINE_NUMBER REASON

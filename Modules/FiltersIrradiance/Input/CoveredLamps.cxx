@@ -143,6 +143,10 @@ std::vector<CoveredLamps> findCoveredLamps(
     for (std::size_t i = 0; !set.source().isDynamic() && i < set.lights().lights().size(); ++i)
     {
       const Light& light = set.lights()[i];
+      if (light.distant())
+      {
+        continue;
+      }
       const std::uint32_t object = light.cell.object;
       LampPart& part =
         parts[{ object, engine.objects()[object].material->partOfCell(light.cell.cell) }];

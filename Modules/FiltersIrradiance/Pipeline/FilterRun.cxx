@@ -89,6 +89,15 @@ std::uint32_t checked(const char* name, vtkIdType value, vtkIdType low, vtkIdTyp
   return static_cast<std::uint32_t>(value);
 }
 
+void checkWithin(const char* name, double value, double low, double high)
+{
+  throwIf(!(value >= low && value <= high),
+    std::string(name) + " is " + text(value) + "; it has to be " +
+      (high < VTK_DOUBLE_MAX ? text(low) + " to " + text(high)
+          : low == 0         ? "0 or more"
+                             : "finite"));
+}
+
 vtkMTimeType upstreamTime(vtkAlgorithm* filter, int port, int connection)
 {
   vtkExecutive* producer = filter->GetInputExecutive(port, connection);

@@ -46,6 +46,9 @@ void setInputTypes(vtkInformation* port, const char* composite, const char* othe
 /// The value of a property. Throws InputError unless `low` <= value <= `high`.
 std::uint32_t checked(const char* name, vtkIdType value, vtkIdType low, vtkIdType high);
 
+/// Throws InputError unless `low` <= value <= `high`; VTK_DOUBLE_MAX: whatever is finite.
+void checkWithin(const char* name, double value, double low, double high);
+
 /// The latest change of anything upstream of an input. Other than the times of data it does not
 /// change with the time that is asked for.
 vtkMTimeType upstreamTime(vtkAlgorithm* filter, int port, int connection);

@@ -80,8 +80,8 @@ void markDarkSides(CellShapes& cells, const Frame& frame, const LightTable& ligh
   Box bounds;
   for (const Light& light : lights.lights())
   {
-    each.push_back(light.bounds());
-    bounds.add(each.back());
+    each.push_back(light.stand());
+    bounds.add(light.bounds());
   }
   markInnerSides(cells, frame, each);
   for (std::size_t cell = 0; cell < cells.size(); ++cell)

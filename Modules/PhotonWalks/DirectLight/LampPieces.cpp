@@ -29,7 +29,7 @@ LampPieces::LampPieces(LightTable lights)
   Box bounds;
   for (const Light& light : lights_.lights())
   {
-    bounds.add(light.distant() ? Box() : light.bounds());
+    bounds.add(light.stand());
   }
   // What is near the one end of an edge that is shorter is near the other.
   constexpr double kShort = 0.02; // of the diagonal of all lamps

@@ -93,7 +93,7 @@ CellShapes darkShapesOf(const WalkSets& walks, const Frame& frame, const CancelP
     areGathered = areGathered || set.gathered();
     for (const Light& light : set.lights().lights())
     {
-      lights.push_back(light.bounds());
+      lights.push_back(light.stand());
     }
   }
   CellShapes shapes(frame, 0, frame.objects.size(), cancelPoint);

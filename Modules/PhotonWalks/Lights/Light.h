@@ -128,10 +128,13 @@ public:
   {
     return std::visit([](const auto& kind) { return kind.ofLuminaire.get(); }, kind_);
   }
+  /// Of where rays leave it.
   Box bounds() const
   {
     return std::visit([](const auto& kind) { return kind.bounds(); }, kind_);
   }
+  /// Of where it stands: empty, if it is infinitely far away.
+  Box stand() const { return distant() ? Box() : bounds(); }
   /// The ray that leaves it from the place and in the direction that points of the unit square
   /// choose. In the air there is one place.
   Ray leaving(const std::array<double, 2>& place, const std::array<double, 2>& direction) const

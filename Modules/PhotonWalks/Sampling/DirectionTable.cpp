@@ -31,12 +31,12 @@ void checkEach(const std::vector<double>& numbers, const char* what, const IsRig
 }
 
 /// The integral over a step of what is linear in the angle, times the sine: of `from`, and what it
-/// grows by each radian.
+/// grows by each radian. About the middle, where little cancels.
 double overStep(double start, double width, double from, double growth)
 {
-  const double half = width / 2, chord = 2 * std::sin(half);
-  return from * chord * std::sin(start + half) +
-    growth * (chord * std::cos(start + half) - width * std::cos(start + width));
+  const double half = width / 2, middle = start + half, sine = std::sin(half);
+  return 2 * (from + growth * half) * std::sin(middle) * sine +
+    2 * growth * std::cos(middle) * (sine - half * std::cos(half));
 }
 
 /// Where in a step the integral is a part of that over the whole step. Newton's method within

@@ -42,6 +42,7 @@ ContactLight::ContactLight(
   {
     scene_.add(lamp);
   }
+  scene_.add(objects.sky ? objects.sky->lit : Box());
 }
 
 bool ContactLight::mayCome(const TriangleId& s, const TriangleId& t)
@@ -87,6 +88,10 @@ bool ContactLight::isMatterDark(std::uint32_t object, std::uint32_t shell)
 /// What the bounds of a room hold is known to be inside only if the room fills them.
 bool ContactLight::isMatterDark(const SceneObject& object, const Shell& shell) const
 {
+  if (shell.isRoom && objects_.sky)
+  {
+    return false; // it is the outside
+  }
   const Box bounds = touchedBox(movedBox(object.worldFromObject, shell.bounds));
   const bool isBox = shell.volume > (1 - 0x1p-20) * shell.bounds.extent().prod();
   const auto isElsewhere = [&](const Box& lamp) {

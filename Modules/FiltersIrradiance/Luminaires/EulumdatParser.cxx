@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Luminaires/PhotometricFile.h"
+
+#include "Progress/InputError.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace irradiance
+{
+
+namespace
+{
+
+/// The lines of the head as the format counts them, from 1.
+class EulumdatHead
+{
+public:
+  explicit EulumdatHead(const PhotometricText& text)
+    : text_(text)
+  {
+  }
+
+  std::string words(std::size_t line) const { return std::string(text_.line(line - 1)); }
+  NumberReader at(std::size_t line) const
+  {
+    if (text_.line(line - 1).empty())
+    {
+      text_.fail(line - 1, "a number has to be here in EULUMDAT; in IES a line begins with TILT=");
+    }
+    return { text_, line - 1, " \t" };
+  }
+  /// An empty line is 0.
+  double length(std::size_t line, const char* name) const
+  {
+    return text_.line(line - 1).empty() ? 0 : at(line).next(name, 0);
+  }
+
+private:
+  const PhotometricText& text_;
+};
+
+/// The length lies along y, as C90 does.
+LuminousOpening eulumdatOpening(const EulumdatHead& head)
+{
+  constexpr double kMillimetre = 0.001;
+  const double length = head.length(16, "length or diameter of the luminous area") * kMillimetre;
+  const double width = head.length(17, "width of the luminous area") * kMillimetre;
+  double height = 0;
+  for (const std::size_t line : { 18, 19, 20, 21 })
+  {
+    height = std::max(height, head.length(line, "height of the luminous area") * kMillimetre);
+  }
+  using Shape = LuminousOpening::Shape;
+  const bool isRound = width == 0 && length > 0;
+  const Shape shape = isRound               ? Shape::Cylinder
+    : length > 0 || width > 0 || height > 0 ? Shape::Box
+                                            : Shape::Point;
+  return { shape, 2, { isRound ? length : width, length, height } };
+}
+
+/// The planes that the file holds of those that it lists, by its symmetry, and all around.
+StoredAngles storedPlanes(
+  const NumberReader& numbers, std::size_t symmetry, const std::vector<double>& listed)
+{
+  if (symmetry == 1 || listed.size() == 1)
+  {
+    return StoredAngles({ 0 });
+  }
+  if (symmetry == 0)
+  {
+    StoredAngles around(listed);
+    around.closeIfOpen();
+    return around;
+  }
+  const double first = symmetry == 3 ? -90 : 0, last = symmetry == 2 ? 180 : 90;
+  std::vector<double> angles;
+  for (const double turn : { -360., 0. }) // C270 comes before C0
+  {
+    for (const double angle : listed)
+    {
+      if (angle + turn >= first && angle + turn <= last)
+      {
+        angles.push_back(angle + turn);
+      }
+    }
+  }
+  const std::size_t stored = listed.size() / (symmetry == 4 ? 4 : 2) + 1;
+  if (angles.size() != stored || angles.front() != first || angles.back() != last)
+  {
+    numbers.fail("of the " + std::to_string(listed.size()) + " C angles " +
+      std::to_string(angles.size()) + " are from " + text(first) + " to " + text(last) +
+      "; with the symmetry " + std::to_string(symmetry) + " they are to be " +
+      std::to_string(stored) + ", with both of these");
+  }
+  StoredAngles around(angles);
+  around.mirrorAtLast();
+  if (symmetry == 4)
+  {
+    around.mirrorAtLast();
+  }
+  return around;
+}
+
+void warnOfOutputRatio(
+  PhotometricFile& file, const PhotometricText& text, double perCent, double stated)
+{
+  const bool differs = stated > 0 && std::abs(perCent - stated) > 5;
+  if (differs || perCent > 105)
+  {
+    file.warnings.push_back(text.fileName() + ": the table holds " + irradiance::text(perCent) +
+      " % of the lamps' lumens, and the light output ratio is " + irradiance::text(stated) +
+      " %; the table counts" +
+      (perCent > 105 ? " (are its values candela in place of cd/klm?)" : ""));
+  }
+}
+
+}
+
+PhotometricFile parseEulumdat(const PhotometricText& text, int lampSet)
+{
+  const EulumdatHead head(text);
+  PhotometricFile file;
+  file.manufacturer = head.words(1);
+  file.luminaire = head.words(9);
+  const std::size_t symmetry = head.at(3).nextCount("EULUMDAT symmetry", 0, 4);
+  const std::size_t planes = head.at(4).nextCount("number of C planes");
+  const std::size_t rows = head.at(6).nextCount("number of gamma angles");
+  file.opening = eulumdatOpening(head);
+  const double ratio = head.length(23, "light output ratio");
+  const double conversion = head.at(24).nextPositive("conversion factor");
+  const std::size_t sets = head.at(26).nextCount("number of lamp sets");
+  throwIf(static_cast<std::size_t>(lampSet) >= sets,
+    "LampSet is " + std::to_string(lampSet) + ", and " + text.fileName() + " has " +
+      std::to_string(sets) + " sets of lamps, counted from 0");
+  const std::size_t linesPerSet = 6, firstSet = 27, ratios = 10;
+  const double lumens = head.at(firstSet + static_cast<std::size_t>(lampSet) * linesPerSet + 2)
+                          .nextPositive("lumens of the lamps");
+
+  NumberReader numbers(text, firstSet - 1 + sets * linesPerSet + ratios, " \t");
+  const StoredAngles around =
+    storedPlanes(numbers, symmetry, numbers.nextAngles("C angle", planes, 0, 360, false));
+  const std::vector<double> gamma = numbers.nextAngles("gamma angle", rows, 0, 180, true);
+  if (rows < 2)
+  {
+    numbers.fail("there is one gamma angle; two at least are needed");
+  }
+  const std::size_t stored = 1 + *std::max_element(around.stored.begin(), around.stored.end());
+  file.table = expandedTable(
+    StoredAngles(gamma), around, numbers.lastValues("intensity", rows, stored), 1, rows);
+  for (double& value : file.table.values)
+  {
+    value *= conversion;
+  }
+  warnOfOutputRatio(
+    file, text, fluxOf(file.table.polar, file.table.azimuth, file.table.values) / 10, ratio);
+  for (double& value : file.table.values)
+  {
+    value *= lumens / 1000;
+  }
+  return file;
+}
+
+}

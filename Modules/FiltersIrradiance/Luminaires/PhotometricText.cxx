@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Luminaires/PhotometricText.h"
+
+#include "Progress/InputError.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <system_error>
+
+namespace irradiance
+{
+
+namespace
+{
+
+bool isUtf8(const std::string& text)
+{
+  int following = 0;
+  for (const char c : text)
+  {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte & 0xC0) == 0x80)
+    {
+      if (following-- == 0)
+      {
+        return false;
+      }
+      continue;
+    }
+    if (following != 0 || byte >= 0xF8)
+    {
+      return false;
+    }
+    following = byte < 0x80 ? 0 : byte < 0xE0 ? 1 : byte < 0xF0 ? 2 : 3;
+  }
+  return following == 0;
+}
+
+std::string utf8OfLatin1(const std::string& text)
+{
+  std::string utf8;
+  for (const char c : text)
+  {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80)
+    {
+      utf8 += c;
+      continue;
+    }
+    utf8 += static_cast<char>(0xC0 | byte >> 6);
+    utf8 += static_cast<char>(0x80 | (byte & 0x3F));
+  }
+  return utf8;
+}
+
+/// Short enough for a message.
+std::string quoted(std::string_view word)
+{
+  return '"' + std::string(word.substr(0, 40)) + '"';
+}
+
+}
+
+PhotometricText::PhotometricText(const std::string& fileName, const std::string& bytes)
+  : fileName_(fileName)
+{
+  const std::string mark = bytes.substr(0, 2);
+  throwIf(mark == "\xFF\xFE" || mark == "\xFE\xFF" || mark.find('\0') != std::string::npos,
+    fileName + " is UTF-16 or no text at all; lamp files are ASCII, ISO 8859-1 or UTF-8");
+  text_ = bytes.substr(bytes.rfind("\xEF\xBB\xBF", 0) == 0 ? 3 : 0);
+  text_.resize(std::min(text_.size(), text_.find('\x1A'))); // how DOS marks the end
+  text_ = isUtf8(text_) ? text_ : utf8OfLatin1(text_);
+  const std::string_view all = text_;
+  for (std::size_t begin = 0; begin < all.size();)
+  {
+    const std::size_t end = std::min(all.find_first_of("\r\n", begin), all.size());
+    lines_.push_back(all.substr(begin, end - begin));
+    begin = end + (all.substr(end, 2) == "\r\n" ? 2 : 1);
+  }
+}
+
+std::string_view PhotometricText::line(std::size_t i) const
+{
+  const std::string_view line = i < lines_.size() ? lines_[i] : std::string_view();
+  const std::size_t first = line.find_first_not_of(" \t");
+  return first == std::string_view::npos
+    ? std::string_view()
+    : line.substr(first, line.find_last_not_of(" \t") - first + 1);
+}
+
+std::size_t PhotometricText::tiltLine() const
+{
+  std::size_t i = 0;
+  const auto isTilt = [](std::string_view line) {
+    constexpr std::string_view kTilt = "tilt=";
+    return line.size() >= kTilt.size() &&
+      std::equal(kTilt.begin(), kTilt.end(), line.begin(),
+        [](char small, char c) { return c == small || (small != '=' && c == small - 'a' + 'A'); });
+  };
+  while (i < size() && !isTilt(line(i)))
+  {
+    ++i;
+  }
+  return i;
+}
+
+void PhotometricText::fail(std::size_t line, const std::string& what) const
+{
+  throw InputError(fileName_ + ", line " + std::to_string(line + 1) + ": " + what);
+}
+
+double PhotometricText::number(std::size_t line, const char* name, std::string_view word) const
+{
+  std::string point(word.substr(!word.empty() && word.front() == '+' ? 1 : 0));
+  std::replace(point.begin(), point.end(), ',', '.');
+  double number = 0;
+  const char* const end = point.data() + point.size();
+  const auto read = std::from_chars(point.data(), end, number);
+  if (read.ec != std::errc() || read.ptr != end || !std::isfinite(number))
+  {
+    fail(line, std::string("the ") + name + " is " + quoted(word) + ", which is no finite number");
+  }
+  return number;
+}
+
+std::string_view NumberReader::peek()
+{
+  for (; line_ < text_.size(); ++line_, column_ = 0)
+  {
+    const std::string_view line = text_.line(line_);
+    column_ = std::min(line.find_first_not_of(separators_, column_), line.size());
+    if (column_ < line.size())
+    {
+      return line.substr(column_, line.find_first_of(separators_, column_) - column_);
+    }
+  }
+  return {};
+}
+
+double NumberReader::next(const char* name, double low, double high)
+{
+  const std::string_view word = peek();
+  if (word.empty())
+  {
+    text_.fail(text_.size() - 1, std::string("the file ends before the ") + name);
+  }
+  const double number = text_.number(line_, name, word);
+  if (!(number >= low && number <= high))
+  {
+    fail(std::string("the ") + name + " is " + text(number) + "; " + text(low) + " to " +
+      text(high) + " are possible");
+  }
+  column_ += word.size();
+  return number;
+}
+
+double NumberReader::nextPositive(const char* name)
+{
+  const double number = next(name);
+  if (!(number > 0))
+  {
+    fail(std::string("the ") + name + " is " + text(number) + "; it has to be above 0");
+  }
+  return number;
+}
+
+std::size_t NumberReader::nextCount(const char* name, std::size_t low, std::size_t high)
+{
+  const double number = next(name, static_cast<double>(low), static_cast<double>(high));
+  if (number != std::floor(number))
+  {
+    fail(std::string("the ") + name + " is " + text(number) + ", which is no whole number");
+  }
+  return static_cast<std::size_t>(number);
+}
+
+std::vector<double> NumberReader::nextAngles(
+  const char* name, std::size_t count, double low, double high, bool mayRepeat)
+{
+  std::vector<double> angles;
+  while (angles.size() < count)
+  {
+    const double angle = next(name, low, high);
+    if (!angles.empty() && (mayRepeat ? angle < angles.back() : angle <= angles.back()))
+    {
+      fail(std::string("the ") + name + " " + text(angle) + " follows " + text(angles.back()) +
+        "; angles have to increase");
+    }
+    angles.push_back(angle);
+  }
+  return angles;
+}
+
+std::vector<double> NumberReader::lastValues(
+  const char* name, std::size_t polar, std::size_t azimuth)
+{
+  const std::string counts = std::to_string(polar) + " x " + std::to_string(azimuth);
+  if (polar > kMostValues / azimuth)
+  {
+    fail("the table has " + counts + " values; " + std::to_string(kMostValues) + " are possible");
+  }
+  std::vector<double> values;
+  while (values.size() < polar * azimuth)
+  {
+    const double value = next(name);
+    if (value < 0)
+    {
+      fail(std::string("the ") + name + " is " + text(value) + ", which is negative");
+    }
+    values.push_back(value);
+  }
+  const std::string_view word = peek();
+  if (!word.empty() && word.find_first_not_of("+-.0123456789eE,") == std::string_view::npos)
+  {
+    fail(quoted(word) + " follows the table of " + counts +
+      " values; the numbers of angles do not fit it");
+  }
+  return values;
+}
+
+}
