@@ -114,6 +114,13 @@ public:
     return light;
   }
 
+  bool HasBounds() const
+  {
+    double none[6];
+    vtkMath::UninitializeBounds(none);
+    return !std::equal(none, none + 6, this->Source->Bounds);
+  }
+
   void CheckProperties() const
   {
     using irradiance::checkWithin;
@@ -121,6 +128,21 @@ public:
     checkWithin("SunAngularRadius", s->SunAngularRadius, 0, 10);
     checkWithin("North", s->North, -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX);
     checkWithin("GroundReflectance", s->GroundReflectance, 0, 1);
+    if (this->HasBounds())
+    {
+      const double* const box = s->Bounds;
+      bool isBox = true;
+      std::string values;
+      for (int i = 0; i < 6; ++i)
+      {
+        isBox = isBox && std::abs(box[i]) < 1e30 && box[i - i % 2] < box[i - i % 2 + 1];
+        values += " " + irradiance::text(box[i]);
+      }
+      irradiance::throwIf(!isBox,
+        "Bounds is" + values +
+          "; it has to be xmin, xmax, ymin, ymax, zmin and zmax of a box, or 1 -1 1 -1 1 -1 for "
+          "none");
+    }
     if (s->SkyModel == CIEGeneral)
     {
       checkWithin("CIEType", s->CIEType, 1, 15);
@@ -236,6 +258,10 @@ int vtkSunSkySource::RequestData(
     addTuple(
       fields, irradiance::kSunIrradiance, { light.Sun.altitude < 0 ? 0 : light.DirectNormal });
     addTuple(fields, irradiance::kSunAngularRadius, { this->SunAngularRadius });
+    if (this->Internals->HasBounds())
+    {
+      addTuple(fields, irradiance::kSkyBounds, { this->Bounds, this->Bounds + 6 });
+    }
     if (!sky.note.empty())
     {
       const std::string note = light.Where + (light.Where.empty() ? "" : ": ") + sky.note;
@@ -269,5 +295,11 @@ void vtkSunSkySource::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Ground: " << this->Ground << "\n"
      << indent << "GroundReflectance: " << this->GroundReflectance << "\n"
      << indent << "WeatherFileName: " << (this->WeatherFileName ? this->WeatherFileName : "(none)")
-     << "\n";
+     << "\n"
+     << indent << "Bounds:";
+  for (const double value : this->Bounds)
+  {
+    os << " " << value;
+  }
+  os << "\n";
 }

@@ -15,6 +15,7 @@
  * | `SunDirection` | 3 | the unit vector towards the sun |
  * | `SunIrradiance` | 1 | W/m2 on a plane across; 0 while the sun is below the horizon |
  * | `SunAngularRadius` | 1 | degrees; 0: a point at infinity |
+ * | `SkyBounds` | 6 | Bounds, if they are set: xmin, xmax, ymin, ymax, zmin, zmax |
  * | `SkyNote` | 1 | a text, if anything was changed to get a sky; see below |
  *
  * DirectNormalIrradiance and DiffuseHorizontalIrradiance say how much light there is, SkyModel how
@@ -186,6 +187,16 @@ public:
   vtkGetFilePathMacro(WeatherFileName);
   /// @}
 
+  /// @{
+  /**
+   * The box that the light enters, xmin, xmax, ymin, ymax, zmin, zmax, m: all of the scene has to
+   * stay inside, wherever it moves. Default 1, -1, 1, -1, 1, -1, which is no box: then filters take
+   * the bounds of what is static, and a tenth of their diagonal on all sides.
+   */
+  vtkSetVector6Macro(Bounds, double);
+  vtkGetVector6Macro(Bounds, double);
+  /// @}
+
 protected:
   vtkSunSkySource();
   ~vtkSunSkySource() override;
@@ -211,6 +222,7 @@ protected:
   vtkTypeBool Ground = true;
   double GroundReflectance = 0.2;
   char* WeatherFileName = nullptr;
+  double Bounds[6] = { 1, -1, 1, -1, 1, -1 };
 
 private:
   vtkSunSkySource(const vtkSunSkySource&) = delete;

@@ -80,10 +80,12 @@ constexpr const char* kVerifySeconds = "VerifySeconds";
 constexpr const char* kRepairSeconds = "RepairSeconds";
 constexpr const char* kHistoryBytes = "HistoryBytes";
 
-/// Field data of vtkSunSkySource.
+/// Field data of vtkSunSkySource, and of skies that users make.
 constexpr const char* kSkyRadiance = "SkyRadiance";
 constexpr const char* kSkyPolarAngles = "SkyPolarAngles";
 constexpr const char* kSkyAzimuths = "SkyAzimuths";
+constexpr const char* kSkyWeights = "SkyWeights";
+constexpr const char* kSkyBounds = "SkyBounds";
 constexpr const char* kSkyNote = "SkyNote";
 constexpr const char* kSunDirection = "SunDirection";
 constexpr const char* kSunIrradiance = "SunIrradiance";

@@ -67,7 +67,7 @@ void checkLit(const std::string& where, const SceneObjects& objects, const Scene
     throwIf(both.lower != objects.sky->lit.lower || both.upper != objects.sky->lit.upper,
       where +
         ": leaves the box that the sky lights; set SkyBounds (Bounds of vtkSunSkySource), so "
-        "that it holds all that moves");
+        "that it holds all of the scene wherever it moves");
   }
 }
 

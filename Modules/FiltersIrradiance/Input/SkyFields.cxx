@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/SkyFields.h"
 
+#include "Data/ArrayNames.h"
 #include "Progress/InputError.h"
 #include "Sampling/DirectionTable.h"
 
@@ -18,9 +19,6 @@ namespace irradiance
 
 namespace
 {
-
-constexpr const char *kSkyRadiance = "SkyRadiance", *kSunIrradiance = "SunIrradiance",
-                     *kSkyWeights = "SkyWeights", *kSkyBounds = "SkyBounds";
 
 class SkyFields
 {
@@ -127,8 +125,8 @@ std::shared_ptr<const Sky> readSky(
   if (fields.has(kSkyRadiance))
   {
     sky.radiance = fields.numbers(kSkyRadiance);
-    sky.polarAngles = fields.numbers("SkyPolarAngles");
-    sky.azimuths = fields.numbers("SkyAzimuths");
+    sky.polarAngles = fields.numbers(kSkyPolarAngles);
+    sky.azimuths = fields.numbers(kSkyAzimuths);
     try
     {
       const DirectionTable check(sky.polarAngles, sky.azimuths, sky.radiance);
@@ -153,15 +151,16 @@ std::shared_ptr<const Sky> readSky(
     }
     else
     {
-      const std::vector<double> towards = fields.tuple("SunDirection", 3, false, -SkyFields::kMost);
+      const std::vector<double> towards = fields.tuple(kSunDirection, 3, false, -SkyFields::kMost);
       sky.towardsSun = Vector3(towards[0], towards[1], towards[2]).normalized();
-      throwIf(!(sky.towardsSun.norm() > 0.5), where + ": SunDirection is no direction");
+      throwIf(!(sky.towardsSun.norm() > 0.5),
+        where + ": the field-data array " + kSunDirection + " is 0 0 0, no direction");
       constexpr double kWidest = 45; // degrees
       const double degrees =
-        fields.has("SunAngularRadius") ? fields.tuple("SunAngularRadius", 1, true, 0).front() : 0;
+        fields.has(kSunAngularRadius) ? fields.tuple(kSunAngularRadius, 1, true, 0).front() : 0;
       throwIf(!(degrees <= kWidest),
-        where + ": SunAngularRadius is " + text(degrees) + " degrees; at most " + text(kWidest) +
-          " are possible");
+        where + ": the field-data array " + kSunAngularRadius + " is " + text(degrees) +
+          " degrees; at most " + text(kWidest) + " are possible");
       sky.sunRadius = degrees * kPi / 180;
     }
   }

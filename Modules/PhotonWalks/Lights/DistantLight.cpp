@@ -19,9 +19,17 @@ Vector3 swapped(const Vector3& direction)
   return { direction[1], direction[0], direction[2] };
 }
 
-/// Degrees in steps of at most `widest`, with those that are given.
-std::vector<double> refined(const std::vector<double>& angles, double widest)
+/// Degrees in steps of at most `widest`, with those that are given, and quarters of a turn between.
+std::vector<double> refined(std::vector<double> angles, double widest)
 {
+  for (double quarter = -630; quarter <= 630; quarter += 90)
+  {
+    const auto place = std::lower_bound(angles.begin(), angles.end(), quarter);
+    if (place != angles.begin() && place != angles.end() && *place != quarter)
+    {
+      angles.insert(place, quarter);
+    }
+  }
   std::vector<double> fine;
   for (std::size_t i = 0; i + 1 < angles.size(); ++i)
   {
@@ -47,16 +55,8 @@ DistantLight::DistantLight(const Sky& sky)
   const DirectionTable radiance(sky.polarAngles, sky.azimuths, sky.radiance);
   const bool isRound = sky.azimuths.size() == 1;
   const std::vector<double> polar = refined(sky.polarAngles, kWidest);
-  std::vector<double> azimuths =
+  const std::vector<double> azimuths =
     refined(isRound ? std::vector<double>{ 0, 360 } : sky.azimuths, kWidest);
-  for (const double quarter : { 90.0, 180.0, 270.0 })
-  {
-    const auto place = std::lower_bound(azimuths.begin(), azimuths.end(), quarter);
-    if (place != azimuths.begin() && place != azimuths.end() && *place != quarter)
-    {
-      azimuths.insert(place, quarter);
-    }
-  }
   std::vector<double> values;
   for (const double azimuth : azimuths)
   {
@@ -92,7 +92,8 @@ DistantLight DistantLight::sunOf(const Sky& sky)
   return sun;
 }
 
-/// Of about the same solid angle, and above or below the horizon.
+/// Of about the same solid angle, and above or below the horizon. What lies at the border of parts
+/// counts for all of them: none that has light may be without a share.
 std::vector<DistantLight::Part> DistantLight::partsOfSky() const
 {
   constexpr int kRows = 16; // from pole to pole
@@ -117,15 +118,26 @@ std::vector<DistantLight::Part> DistantLight::partsOfSky() const
       parts.push_back(part);
     }
   }
+  std::vector<Part*> touched;
   table_->forEachPart([&](const Vector3& local, double weight) {
-    double azimuth = std::atan2(local[1], local[0]);
-    azimuth += azimuth < 0 ? 2 * kPi : 0;
-    const auto part = std::find_if(parts.begin(), parts.end(), [&](const Part& its) {
-      return local[2] >= its.lower && azimuth <= its.last && azimuth >= its.first;
-    });
-    if (part != parts.end())
+    constexpr double kHalf = kPi / 360; // of what is widest
+    const double polar = std::acos(std::clamp(local[2], -1.0, 1.0)),
+                 azimuth = std::atan2(local[1], local[0]);
+    const double upper = std::cos(std::max(0.0, polar - kHalf)),
+                 lower = std::cos(std::min(kPi, polar + kHalf));
+    touched.clear();
+    for (Part& part : parts)
     {
-      part->flux += weight / table_->integral();
+      if (part.lower < upper && part.upper > lower && (part.lower >= 0) == (local[2] > 0) &&
+        std::abs(std::remainder(azimuth - (part.first + part.last) / 2, 2 * kPi)) <
+          (part.last - part.first) / 2 + kHalf)
+      {
+        touched.push_back(&part);
+      }
+    }
+    for (Part* const part : touched)
+    {
+      part->flux += weight / (table_->integral() * static_cast<double>(touched.size()));
     }
   });
   parts.erase(

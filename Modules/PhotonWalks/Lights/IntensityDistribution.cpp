@@ -12,13 +12,14 @@ namespace irradiance
 namespace
 {
 
-constexpr double kParallel = 1 - 1e-9; ///< cosine between normals of faces of one plane
+/// Cosine between normals of triangles and of the face of which they are a part.
+constexpr double kParallel = 1 - 4e-6;
 
 }
 
 /// Normals go with the inverse, so that they stay across what they were across.
 IntensityDistribution::IntensityDistribution(
-  const Luminaire& lamp, const AffineMap& worldFromObject)
+  const Luminaire& lamp, const AffineMap& worldFromObject, bool hasShares)
   : table_(lamp.intensity)
 {
   const Matrix3& linear = worldFromObject.linear;
@@ -32,7 +33,7 @@ IntensityDistribution::IntensityDistribution(
     areas_.push_back(ofNormals * face);
   }
   shares_.assign(areas_.size(), areas_.size() == 1 ? 1 : 0);
-  if (areas_.size() < 2)
+  if (areas_.size() < 2 || !hasShares)
   {
     return;
   }
@@ -140,7 +141,7 @@ Bands emittedFrom(
   if (const Luminaire* const lamp = object.emission->luminaireOf(cell))
   {
     const double radiance =
-      IntensityDistribution(*lamp, object.worldFromObject).radiance(direction);
+      IntensityDistribution(*lamp, object.worldFromObject, false).radiance(direction);
     std::transform(lamp->flux.begin(), lamp->flux.end(), emitted.begin(),
       [radiance](double watts) { return kPi * radiance * watts; });
     return emitted;

@@ -21,7 +21,9 @@ namespace irradiance
 class IntensityDistribution
 {
 public:
-  IntensityDistribution(const Luminaire& lamp, const AffineMap& worldFromObject);
+  /// `hasShares`: shareOf() is asked for, which takes a while of an opening with several faces.
+  IntensityDistribution(
+    const Luminaire& lamp, const AffineMap& worldFromObject, bool hasShares = true);
 
   /// W/sr for each W of the lamp. `direction`: a unit vector, as the light goes.
   double intensity(const Vector3& direction) const;
