@@ -165,7 +165,7 @@ TEST(Luminaires, HaveTheirFlux)
       Field(filter, "AbsorbedPower", band), Field(filter, "EmittedPower", band), 1e-9 * Flux);
     return Field(filter, "EmittedPower", band);
   };
-  // Each integral of (a + (b - a) v) sin(polar) over a quarter: b of the horizon times 1 - 2 / pi...
+  // The integral of polar / (pi / 2) times sin(polar) up to the horizon is 2 / pi.
   const double horizon = (4 + 1 + 0 + 2) * 2 / vtkMath::Pi(), nadir = 4 * (1 - 2 / vtkMath::Pi());
   for (const Mesh& lamp : MakeLamps(Middle))
   {

@@ -46,8 +46,9 @@ void expectDensity(const Density& density, const Sample& sample)
   std::vector<double> expected(kAcross * kAround), counts(expected.size());
   double all = 0, chiSquare = 0, bins = 0;
   forEachDirection([&](const Vector3& d, double solidAngle) {
-    expected[binOf(d)] += density(d) * solidAngle;
-    all += density(d) * solidAngle;
+    const double part = density(d) * solidAngle;
+    expected[binOf(d)] += part;
+    all += part;
   });
   RandomVectors random(8);
   for (int i = 0; i < kSamples; ++i)

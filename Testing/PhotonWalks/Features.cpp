@@ -192,7 +192,7 @@ std::function<Film()> comingAndGoing(const EngineSettings& settings, unsigned se
   };
 }
 
-/// A luminaire below the ceiling, one in the air, and one that goes, turns and is mirrored, or rests
+/// A luminaire below the ceiling, one in the air, and one that goes, turns, is mirrored, or rests
 /// while a body passes.
 std::function<Film()> underLuminaires(const EngineSettings& settings, double specular = 0)
 {

@@ -170,7 +170,7 @@ TEST(Luminaires, LightSensorsBySquaredDistance)
   }
 }
 
-// A lamp as wide as others, which reflects, in a room that reflects: all estimates agree near to it.
+// A wide lamp, which reflects, in a room that reflects: all estimates agree near to it.
 TEST(Luminaires, EstimatesAgreeNearWideOnes)
 {
   for (Lamp& lamp : lamps(0.4))

@@ -45,8 +45,8 @@ std::vector<double> numbersOf(const std::string& where, vtkPolyData* input, cons
   return numbers;
 }
 
-/// Adds a triangle to the face that looks the same way: up to .1 degrees, as rounding of coordinates
-/// in floats turns small triangles of a plane.
+/// Adds a triangle to the face that looks the same way, up to .1 degrees: rounding to floats turns
+/// small triangles of a plane.
 void addFace(const Triangle& triangle, std::vector<Vector3>& faces)
 {
   constexpr double kSame = 1 - 1e-6; // cosine
