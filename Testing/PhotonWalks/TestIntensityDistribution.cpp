@@ -85,15 +85,16 @@ TEST(IntensityDistribution, SharesOfFacesAreThoseOfAFineQuadrature)
     for (std::size_t i = 0; i < expected.size(); ++i)
     {
       const double area = lamp.faces[i].norm();
-      const double share = distribution.shareOf(area, lamp.faces[i] / area);
+      const double share = distribution.faceOf(lamp.faces[i] / area).shareOf(area);
       EXPECT_NEAR(share, expected[i], 2e-4 * expected[i] + 1e-5) << "face " << i;
-      EXPECT_NEAR(distribution.shareOf(area / 4, lamp.faces[i] / area), share / 4, 1e-15);
+      EXPECT_NEAR(distribution.faceOf(lamp.faces[i] / area).shareOf(area / 4), share / 4, 1e-15);
       sum += share;
     }
     EXPECT_NEAR(sum, 1, 1e-12);
     const Vector3 rounded = (lamp.faces[0].normalized() + Vector3(1e-3, 1e-3, 0)).normalized();
-    EXPECT_GT(distribution.shareOf(1, rounded), 0) << "a triangle with coordinates in floats";
-    EXPECT_EQ(distribution.shareOf(1, Vector3(0.1, 0.2, 0.3).normalized()), 0) << "no face";
+    EXPECT_GT(distribution.faceOf(rounded).shareOf(1), 0)
+      << "a triangle with coordinates in floats";
+    EXPECT_EQ(distribution.faceOf(Vector3(0.1, 0.2, 0.3).normalized()).shareOf(1), 0) << "no face";
   }
 }
 
@@ -119,8 +120,8 @@ TEST(IntensityDistribution, FollowsPoses)
     for (Vector3& face : faces)
     {
       const double area = face.norm();
-      EXPECT_NEAR(after.shareOf(area * scale * scale, turned * face / area),
-        before.shareOf(area, face / area), 1e-9);
+      EXPECT_NEAR(after.faceOf(turned * face / area).shareOf(area * scale * scale),
+        before.faceOf(face / area).shareOf(area), 1e-9);
       face = turned * stretch.prod() * face.cwiseQuotient(stretch);
     }
     EXPECT_NEAR(stretched.radiance(to) * seenAreaOf(faces, to), before.intensity(d), 1e-12);
@@ -148,7 +149,9 @@ TEST(IntensityDistribution, SamplesOfAFaceHaveItsDensity)
       const Vector3 normal = face.normalized();
       expectDensity(
         [&](const Vector3& d) { return distribution.radiance(d) * std::max(0.0, normal.dot(d)); },
-        [&](const std::array<double, 2>& u) { return distribution.sample(u, normal); });
+        [&](const std::array<double, 2>& u) {
+          return distribution.sample(u, normal, distribution.faceOf(normal));
+        });
     }
   }
 }

@@ -106,6 +106,7 @@ LampPieces::Node LampPieces::nodeOf(std::uint32_t first, std::uint32_t end) cons
     }
     constexpr double kFlat = 1 - 1e-12;
     cosine = cosine >= kFlat ? 1 : std::max(cosine, -1.0);
+    node.lamp.face = cosine == 1 ? pieces_[order_[first]].face : IntensityDistribution::Face{};
     node.lamp.cone = { cosine, std::sqrt(1 - cosine * cosine) };
   }
   return node;
