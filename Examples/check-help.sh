@@ -3,12 +3,16 @@
 # the last line where the results go.
 #
 #   check-help.sh PROGRAM...
+#
+# PYTHON runs those that end in .py; default python3.
 set -euo pipefail
 
 failures=0
 for program in "$@"; do
-  name=$(basename "$program")
-  help=$("$program" --help) || { echo "$name --help ends with an error"; failures=1; continue; }
+  name=$(basename "$program" .py)
+  run=("$program")
+  [[ $program != *.py ]] || run=("${PYTHON:-python3}" "$program")
+  help=$("${run[@]}" --help) || { echo "$name --help ends with an error"; failures=1; continue; }
   grep -qE "^$name: .+\.( It has no options\.)?$" <(head -n 1 <<<"$help") || { echo "$name: no purpose"; failures=1; }
   tail -n 1 <<<"$help" | grep -qE "^Results: \./$name-output: .+" || { echo "$name: no results"; failures=1; }
   # Two blanks before an option and a default behind it.

@@ -20,6 +20,7 @@ if [[ ${1:-} && $1 != */* && -e Examples/$1/CMakeLists.txt ]]; then
 fi
 
 require_packages build display
+[[ -e Examples/$example/$example.cxx ]] || require_packages python
 
 configure=(cmake --preset release -DVTKIRRADIANCE_BUILD_EXAMPLES=ON)
 # A tree that is there already keeps its tests.
@@ -35,9 +36,16 @@ case $example in
   MovingTeapot | CuringOven | InteractiveRoom) fetch_data || echo "The data could not be fetched; the program goes on with what is there." ;;
 esac
 
+program=("$home/build/release/bin/$example")
+if [[ ! -e Examples/$example/$example.cxx ]]; then # it is in Python, and takes the package that was built
+  program=("$(python_with vtkmodules.numpy_interface.dataset_adapter)" "$home/Examples/$example/$example.py")
+  export PYTHONPATH
+  PYTHONPATH=$(echo "$home"/build/release/lib/python3*/*-packages)
+fi
+
 cd "$caller" # file names among the arguments are the caller's
 # What waits for the user's mouse and keys needs the user's own display; what plays or measures does not.
 if [[ $example == InteractiveRoom && " $*" != *" --events"* && " $*" != *" --frames"* ]]; then
-  exec "$home/build/release/bin/$example" "$@"
+  exec "${program[@]}" "$@"
 fi
-exec "$home/Utilities/run-under-xvfb.sh" "$home/build/release/bin/$example" "$@"
+exec "$home/Utilities/run-under-xvfb.sh" "${program[@]}" "$@"
