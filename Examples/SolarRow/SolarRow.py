@@ -39,6 +39,7 @@ CELL = 0.5  # m, the edge of all cells
 MODULE_REFLECTANCE = 0.05
 BIFACIALITY = 0.7  # what a back makes of its light, relative to a front
 SIDES = ("Front", "Back")
+IRON = (0, 0, 0.02), (0.34, 0.06, 0.43), (0.74, 0.22, 0.33), (0.98, 0.56, 0.04), (0.99, 1, 0.65)
 
 
 def clear_sky(sine):
@@ -221,6 +222,7 @@ class Film:
         if not self.has_pictures:
             print("No pictures: DISPLAY is not set, and VTK needs an X display (xvfb-run is one).", file=sys.stderr)
             return
+        (folder / "pictures").mkdir(exist_ok=True)
         self.colours = vtkColorTransferFunction()
         self.renderer, self.mappers = vtkRenderer(), []
         self.renderer.SetBackground(0.15, 0.15, 0.17)
@@ -260,7 +262,7 @@ class Film:
             self.data_sets) + "\n</Collection></VTKFile>\n", encoding="utf-8")
         if not self.has_pictures:
             return
-        picture = self.draw(light, ("IrradianceFront", "IrradianceFront", "IrradianceBack"), 1000,
+        picture = self.draw(light, ("IrradianceFront", "IrradianceFront", "IrradianceBack"), (0, 1000),
                             "W/m2", caption, f"pictures/SolarRow_{number:04}.png")
         if not self.movie:
             self.movie = vtkOggTheoraWriter()
@@ -271,12 +273,11 @@ class Film:
         self.movie.SetInputConnection(picture.GetOutputPort())
         self.movie.Write()
 
-    def draw(self, light, arrays, most, title, caption, name):
+    def draw(self, light, arrays, span, title, caption, name):
         """Seen from the south, from where one sees the fronts all day. An empty name: no colours."""
-        iron = ((0, 0, 0.02), (0.34, 0.06, 0.43), (0.74, 0.22, 0.33), (0.98, 0.56, 0.04), (0.99, 1, 0.65))
         self.colours.RemoveAllPoints()
-        for i, colour in enumerate(iron):
-            self.colours.AddRGBPoint(most * i / 4, *colour)
+        for value, colour in zip(np.linspace(*span, len(IRON)), IRON):
+            self.colours.AddRGBPoint(value, *colour)
         for mapper, array, block in zip(self.mappers, arrays, (0, 1, 1)):
             mapper.SetInputData(light.GetBlock(block))
             mapper.SelectColorArray(array)
@@ -297,6 +298,7 @@ class Film:
         writer = vtkPNGWriter()
         writer.SetInputConnection(picture.GetOutputPort())
         writer.SetFileName(str(self.folder / name))
+        writer.SetCompressionLevel(9)
         writer.Write()
         return picture
 
@@ -341,9 +343,9 @@ def read_options():
 
 def main():
     options = read_options()
-    ours = re.compile(r"SolarRow\.(pvd|ogv)|SolarRow_\d{4}(_\d\.vtp|\.vtm|\.png)|insolation_\w+\.png|\w+\.csv")
-    for folder in (options.output / "SolarRow", options.output / "pictures"):
-        folder.mkdir(parents=True, exist_ok=True)
+    ours = re.compile(r"SolarRow\.(pvd|ogv)|SolarRow_\d{4}(_\d\.vtp|\.vtm|\.png)|insolation_(front|back)\.png|"
+                      r"(weather|steps|trackers)\.csv")
+    options.output.mkdir(parents=True, exist_ok=True)
     for file in options.output.rglob("*"):
         if ours.fullmatch(file.name):
             file.unlink()  # of an earlier run
@@ -375,15 +377,17 @@ def main():
                  for i, place in enumerate(field.places)))
     _, light, highest, by_hand = noon
     day.put(light)
-    for side, most in zip(SIDES, (12, 1.2)) if film.has_pictures else ():
-        film.draw(light, ("", *2 * ("Insolation" + side,)), most, "kWh/m2", f"The {side.lower()}s, the whole day",
+    for side in SIDES if film.has_pictures else ():
+        span = np.percentile(day.sums[1, side], (2, 98))  # a few cells at edges shall not darken the others
+        film.draw(light, ("", *2 * ("Insolation" + side,)), span, "kWh/m2", f"The {side.lower()}s, the whole day",
                   f"insolation_{side.lower()}.png")
     print(f"The day: front {front.mean():.2f}, back {back.mean():.3f} kWh/m2, bifacial gain "
           f"{100 * BIFACIALITY * back.mean() / front.mean():.1f} % ({back.min():.3f} to {back.max():.3f} kWh/m2 on backs)")
-    print(f"Front with the sun highest: {highest:.1f} W/m2, by hand {by_hand:.1f}")
+    is_right = abs(highest / by_hand - 1) < 0.05
+    print(f"Front with the sun highest: {highest:.1f} W/m2, by hand {by_hand:.1f}" + ("" if is_right else ": WRONG"))
     print(f"Written to {options.output}: weather.csv, steps.csv, trackers.csv, SolarRow.pvd" +
           (", SolarRow.ogv, pictures/, insolation_*.png" if film.has_pictures else ""))
-    return 0 if abs(highest / by_hand - 1) < 0.05 else 1
+    return 0 if is_right else 1
 
 
 if __name__ == "__main__":
