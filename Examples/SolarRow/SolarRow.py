@@ -115,8 +115,9 @@ class Field:
 
     def __init__(self, options, sky):
         columns, rows = min(COLUMNS, options.trackers), math.ceil(options.trackers / COLUMNS)
-        self.places = [(options.pitch * (i % COLUMNS - (columns - 1) / 2), ROW_SPACING * (i // COLUMNS - (rows - 1) / 2))
-                       for i in range(options.trackers)]
+        self.places = [
+            (options.pitch * (i % COLUMNS - (columns - 1) / 2), ROW_SPACING * (i // COLUMNS - (rows - 1) / 2))
+            for i in range(options.trackers)]
         east, north = columns * options.pitch / 2 + MARGIN, rows * ROW_SPACING / 2 + MARGIN
         ground = make_sheet(-east, -north, 2 * east, 2 * north)
         vtkIrradiance.add_cell_array(ground, "DiffuseReflectance", options.albedo)
@@ -334,22 +335,44 @@ def read_options():
         print("SolarRow: a day of a field of solar trackers under sun and sky.\n")
         for name, value, default, text, _ in (*OPTIONS, ("--help", "", "off", "this text", bool)):
             print(f"  {name + ' ' + value:<18}{text} ({default})")
-        print("\nResults: ./SolarRow-output: weather.csv, steps.csv, trackers.csv, SolarRow.pvd, SolarRow.ogv, pictures/")
+        print("\nResults: ./SolarRow-output: weather.csv, steps.csv, trackers.csv, SolarRow.pvd, SolarRow.ogv, "
+              "pictures/, insolation_front.png, insolation_back.png")
         sys.exit()
     if min(options.trackers, options.steps, options.walks, options.pitch - LENGTH) <= 0:
         parser.error(f"--trackers, --steps and --walks have to be 1 or more, --pitch more than {LENGTH:g}")
     return options
 
 
-def main():
-    options = read_options()
+def prepare_folder(folder):
+    """Makes it, and removes what an earlier run left there."""
+    folder.mkdir(parents=True, exist_ok=True)
     ours = re.compile(r"SolarRow\.(pvd|ogv)|SolarRow_\d{4}(_\d\.vtp|\.vtm|\.png)|insolation_(front|back)\.png|"
                       r"(weather|steps|trackers)\.csv")
-    options.output.mkdir(parents=True, exist_ok=True)
-    for file in options.output.rglob("*"):
+    for file in folder.rglob("*"):
         if ours.fullmatch(file.name):
-            file.unlink()  # of an earlier run
+            file.unlink()
 
+
+def write_day(options, field, day, film, light):
+    """The table of the trackers, and pictures of both sides, in a pose in which one sees the modules well."""
+    front, back = (day.by_tracker(side, options.trackers) for side in SIDES)
+    gain = 100 * BIFACIALITY * back / front
+    write_table(options.output / "trackers.csv",
+                ("tracker", "x_m", "y_m", "front_kWh_m2", "back_kWh_m2", "gain_percent"),
+                ((i + 1, *place, f"{front[i]:.3f}", f"{back[i]:.3f}", f"{gain[i]:.2f}")
+                 for i, place in enumerate(field.places)))
+    day.put(light)
+    for side in SIDES if film.has_pictures else ():
+        span = np.percentile(day.sums[1, side], (2, 98))  # a few cells at edges shall not darken the others
+        film.draw(light, ("", *2 * ("Insolation" + side,)), span, "kWh/m2", f"The {side.lower()}s, the whole day",
+                  f"insolation_{side.lower()}.png")
+    print(f"The day: front {front.mean():.2f} kWh/m2, back {back.mean():.3f} ({back.min():.3f} to {back.max():.3f}), "
+          f"bifacial gain {gain.mean():.1f} %")
+
+
+def main():
+    options = read_options()
+    prepare_folder(options.output)
     sky = make_sky()
     write_weather(sky, options.steps, options.output / "weather.csv")
     field, film, day = Field(options, sky), Film(options.output, options.size), Insolation()
@@ -368,21 +391,11 @@ def main():
             noon = sun_direction(sky)[2], light, front, field.by_hand()
     film.end()
     if not noon:
-        raise SystemExit("SolarRow: the sun is down at all steps; take more")
+        sys.exit("SolarRow: the sun is down at all steps; take more")
 
     write_table(options.output / "steps.csv", ("time", "tilt_degrees", "front_W_m2", "back_W_m2"), rows)
-    front, back = (day.by_tracker(side, options.trackers) for side in SIDES)
-    write_table(options.output / "trackers.csv", ("tracker", "x_m", "y_m", "front_kWh_m2", "back_kWh_m2", "gain_percent"),
-                ((i + 1, *place, f"{front[i]:.3f}", f"{back[i]:.3f}", f"{100 * BIFACIALITY * back[i] / front[i]:.2f}")
-                 for i, place in enumerate(field.places)))
     _, light, highest, by_hand = noon
-    day.put(light)
-    for side in SIDES if film.has_pictures else ():
-        span = np.percentile(day.sums[1, side], (2, 98))  # a few cells at edges shall not darken the others
-        film.draw(light, ("", *2 * ("Insolation" + side,)), span, "kWh/m2", f"The {side.lower()}s, the whole day",
-                  f"insolation_{side.lower()}.png")
-    print(f"The day: front {front.mean():.2f}, back {back.mean():.3f} kWh/m2, bifacial gain "
-          f"{100 * BIFACIALITY * back.mean() / front.mean():.1f} % ({back.min():.3f} to {back.max():.3f} kWh/m2 on backs)")
+    write_day(options, field, day, film, light)
     is_right = abs(highest / by_hand - 1) < 0.05
     print(f"Front with the sun highest: {highest:.1f} W/m2, by hand {by_hand:.1f}" + ("" if is_right else ": WRONG"))
     print(f"Written to {options.output}: weather.csv, steps.csv, trackers.csv, SolarRow.pvd" +
