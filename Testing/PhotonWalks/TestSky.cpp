@@ -215,7 +215,7 @@ TEST_P(SkyLight, ThroughAHoleInTheRoof)
   ReplicateMean inside, roof;
   EngineSettings seeded = settings();
   seeded.numberOfWalks /= 8;
-  seeded.replicates = 0;
+  seeded.replicates = GetParam().settings.replicates;
   overSeeds(
     objects, 16, seeded,
     [&](const IrradianceEngine& engine) {
