@@ -3,7 +3,7 @@
 
     paraview --script=FOLDER/ParaViewState.py          or in ParaView: File > Load State
 
-LitRoom, MovingTeapot and CuringOven put a copy of this file beside what they write, with a first line that says in
+LitRoom, MovingTeapot, CuringOven and Office put a copy of this file beside what they write, with a first line that says in
 which FOLDER: ParaView does not tell a script where it is. A folder that was moved needs another first line.
 """
 import os
@@ -30,6 +30,9 @@ EXAMPLES = {
         "array": "RadiantExposure", "title": "Dose of the oven (J/m2)", "colours": VIOLET, "share": 0.99,
         "open": "tunnel", "culled": "Cull Backface", "lamps": ["lamps", "reflectors"],
         "camera": ((0.5, -4.4, 1.6), (0, 0, 0.25), 46)},
+    "Office.pvd": {
+        "array": "Illuminance", "title": "Illuminance (lx)", "colours": IRON, "share": 0.99, "open": "room",
+        "culled": "Cull Backface", "lamps": ["panels", "pendants"], "camera": ((6, -9.5, 11), (6, 3.7, 0.6), 34)},
 }
 
 

@@ -215,6 +215,41 @@ std::function<Film()> comingAndGoing(const EngineSettings& settings, unsigned se
   };
 }
 
+/// A luminaire below the ceiling, one in the air, and one that goes, turns, is mirrored, or rests
+/// while a body passes.
+std::function<Film()> underLuminaires(const EngineSettings& settings, double specular = 0)
+{
+  return [=] {
+    ObjectBuilder room = variedRoom(2, 3, specular), thing(3);
+    std::size_t first = room.numberOfCells();
+    addPanel(room, { 1.2, 1.6, 2.9 }, 1.2, 0.8, 0);
+    room.addOpening(first, lopsidedLamp({ 30, 20, 10 }));
+    room.addPointLuminaire({ 3, 1, 2 }, lopsidedLamp({ 5, 5, 20 }, true));
+    thing.addBox(box({ -0.2, -0.15, -0.1 }, { 0.2, 0.15, 0.1 }), 1, grey(0.4));
+    thing.addOpening(0, lopsidedLamp({ 5, 20, 10 }, true));
+    SceneObjects objects{ room.build(), { thing.build(), ball({}, 0.4, 3, grey(0.5), 3) } };
+    AffineMap &lamp = objects.dynamicObjects[0].worldFromObject,
+              &body = objects.dynamicObjects[1].worldFromObject;
+    const Matrix3 turned = Eigen::AngleAxisd(0.7, Vector3(1, 2, 3).normalized()).matrix();
+    lamp.translation = { 1.5, 2, 1.6 };
+    body.translation = { 2.4, 1.2, 0.7 };
+    Film film;
+    for (int frame = 0; frame < kFrames; ++frame)
+    {
+      body.translation[1] += frame % 2 == 1 ? 0.4 : 0;
+      lamp.linear = frame < 2 ? Matrix3::Identity() : turned;
+      lamp.translation[0] += frame == 5 ? 1 : 0;
+      film.push_back({ objects, settings });
+      if (frame == 4)
+      {
+        lamp.linear.col(0) *= -1;
+        film.back().objects.dynamicObjects[0] = mirrored(objects.dynamicObjects[0], lamp);
+      }
+    }
+    return film;
+  };
+}
+
 /// So many that casts search them by lists, by balls or by a tree.
 std::function<Film()> amongMany(int movers, double radius, const EngineSettings& settings)
 {
@@ -417,6 +452,15 @@ std::vector<Feature> features()
     { "NearLamps", passingNearLamps(Shoot(walks).gathered().errors(16)) },
     { "DimLights", inAnOven(Shoot(walks).gathered().errors(4)) },
     { "DimLightsOfFinalGather", inAnOven(Shoot(5000).finalGather(8)) },
+    { "Luminaires", underLuminaires(Shoot(walks).errors(16).bySide().cached(), 0.2), {}, true },
+    { "LuminairesOfGatheredLight", underLuminaires(Shoot(few).gathered().errors(4)), {}, true },
+    { "LuminairesOfSpread", underLuminaires(Shoot(few).spread(100).errors(4)), {}, true },
+    { "LuminairesOfFinalGather",
+      underLuminaires(Shoot(5000).finalGather(8).everywhere().unbiased()), {}, true },
+    { "LuminairesOfTarget", underLuminaires(Shoot(few).gathered().errors(8).target(0.4, 8000)), {},
+      true },
+    { "LuminairesSeen", underLuminaires(Shoot(scaled(500)).gathered().errors(3).keptByAll(), 0.2),
+      byEyes, true },
     { "AFarLamp", belowAFarLamp(Shoot(2000).gathered().errors(4)), {}, false, true },
     { "AFarLampOfSpread", belowAFarLamp(Shoot(2000).gathered().spread(250).errors(4)), {}, false,
       true },
@@ -525,6 +569,17 @@ private:
       for (double& flux : light.flux)
       {
         flux *= scale_ * scale_;
+      }
+    }
+    for (Luminaire& lamp : emission.luminaires)
+    {
+      for (double& flux : lamp.flux)
+      {
+        flux *= scale_ * scale_;
+      }
+      for (Vector3& face : lamp.faces)
+      {
+        face *= lengths * lengths;
       }
     }
     return std::make_shared<Emission>(std::move(emission));

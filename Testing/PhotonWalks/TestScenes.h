@@ -52,6 +52,10 @@ public:
       isSpecular_ = isSpecular_ || look.specular[band] > 0;
     }
     exponents_.push_back(look.exponent);
+    if (!emission_.luminaires.empty())
+    {
+      emission_.luminaireOfCell.push_back(Emission::kNone);
+    }
   }
 
   /// nu x nv cells; `corner(i, j)` for i in 0..nu, j in 0..nv; the front faces du x dv.
@@ -137,7 +141,41 @@ public:
       { position, std::vector<double>(static_cast<std::size_t>(material_.bands), flux) });
   }
 
+  /// A luminaire at a point, in a cell of its own.
+  void addPointLuminaire(const Vector3& position, const Luminaire& lamp)
+  {
+    addCell({}, {});
+    const auto cell = static_cast<std::uint32_t>(material_.numberOfCells - 1);
+    emission_.points.push_back({ position, lamp.flux, cell });
+    addLuminaire(cell, lamp);
+  }
+
+  /// The cells from `first` on are the opening of a luminaire.
+  void addOpening(std::size_t first, Luminaire lamp)
+  {
+    double area = 0;
+    for (std::size_t i = 0; i < triangles_.size(); ++i)
+    {
+      if (material_.cellOfTriangle[i] >= first)
+      {
+        const Vector3 ofTriangle = triangles_[i].areaVector() / 2;
+        area += ofTriangle.norm();
+        const auto same =
+          std::find_if(lamp.faces.begin(), lamp.faces.end(), [&](const Vector3& face) {
+            return face.normalized().dot(ofTriangle.normalized()) > 1 - 1e-12;
+          });
+        same == lamp.faces.end() ? lamp.faces.push_back(ofTriangle) : void(*same += ofTriangle);
+      }
+    }
+    for (std::size_t i = first * lamp.flux.size(); i < emission_.exitance.size(); ++i)
+    {
+      emission_.exitance[i] = lamp.flux[i % lamp.flux.size()] / area;
+    }
+    addLuminaire(first, lamp);
+  }
+
   Material& material() { return material_; }
+  std::size_t numberOfCells() const { return material_.numberOfCells; }
   Emission& emission() { return emission_; }
 
   SceneObject build(const AffineMap& worldFromObject = {}, bool isFlattened = false) const
@@ -156,12 +194,33 @@ public:
   }
 
 private:
+  void addLuminaire(std::size_t firstCell, const Luminaire& lamp)
+  {
+    emission_.luminaireOfCell.resize(firstCell, Emission::kNone);
+    emission_.luminaireOfCell.resize(
+      material_.numberOfCells, static_cast<std::uint32_t>(emission_.luminaires.size()));
+    emission_.luminaires.push_back(lamp);
+  }
+
   std::vector<Triangle> triangles_;
   Material material_;
   Emission emission_;
   std::vector<double> specular_, exponents_;
   bool isSpecular_ = false;
 };
+
+/// Shines mostly below itself and to the one side, to x, of which 0 is the middle, and less to y
+/// than to -y; if `isAllAround` also up.
+inline Luminaire lopsidedLamp(const std::vector<double>& flux, bool isAllAround = false)
+{
+  const std::vector<double> down{ 3, 4, 2, 0.5, 3, 2, 1, 0, 3, 1, 0.5, 0, 3, 3, 1.5, 0.5, 3, 4, 2,
+    0.5 };
+  const std::vector<double> polar =
+    isAllAround ? std::vector<double>{ 0, 60, 120, 180 } : std::vector<double>{ 0, 30, 60, 90 };
+  const std::vector<double> azimuths{ 0, 90, 180, 270, 360 };
+  return { std::make_shared<DirectionTable>(polar, azimuths, down), -Vector3::UnitZ(),
+    Vector3::UnitX(), flux, {} };
+}
 
 inline Box box(const Vector3& lower, const Vector3& upper)
 {
@@ -171,6 +230,19 @@ inline Box box(const Vector3& lower, const Vector3& upper)
 inline AffineMap shift(const Vector3& by)
 {
   return { Matrix3::Identity(), by };
+}
+
+/// Its front is the mirror image of what it was, where its pose is mirrored.
+inline SceneObject mirrored(SceneObject object, const AffineMap& pose)
+{
+  std::vector<Triangle> triangles;
+  for (const Triangle& t : object.mesh().triangles())
+  {
+    triangles.push_back({ t.a, t.c, t.b });
+  }
+  object.body = std::make_shared<RigidObject>(TriangleMesh(triangles));
+  object.worldFromObject = pose;
+  return object;
 }
 
 /// An object without triangles.

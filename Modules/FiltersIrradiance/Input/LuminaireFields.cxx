@@ -45,10 +45,11 @@ std::vector<double> numbersOf(const std::string& where, vtkPolyData* input, cons
   return numbers;
 }
 
-/// Adds a triangle to the face that looks the same way.
+/// Adds a triangle to the face that looks the same way, up to .1 degrees: rounding to floats turns
+/// small triangles of a plane.
 void addFace(const Triangle& triangle, std::vector<Vector3>& faces)
 {
-  constexpr double kSame = 1 - 1e-12; // cosine
+  constexpr double kSame = 1 - 1e-6; // cosine
   const Vector3 area = triangle.areaVector() / 2;
   const auto same = std::find_if(faces.begin(), faces.end(),
     [&](const Vector3& face) { return face.dot(area) >= kSame * face.norm() * area.norm(); });
@@ -208,16 +209,17 @@ void LuminaireFields::checkReach(const Luminaire& lamp, vtkIdType cell) const
       "its luminaire has faces that look into " + std::to_string(lamp.faces.size()) +
         " directions; " + std::to_string(kMostFaces) + " are possible");
   }
-  double behind = 0;
+  double behind = 0, all = 0;
   const Vector3 third = lamp.reference.cross(lamp.axis);
   lamp.intensity->forEachPart([&](const Vector3& local, double weight) {
     const Vector3 direction = local[0] * lamp.reference + local[1] * third + local[2] * lamp.axis;
     const bool isLit = std::any_of(lamp.faces.begin(), lamp.faces.end(),
       [&](const Vector3& face) { return face.dot(direction) > 0; });
     behind += isLit ? 0 : weight;
+    all += weight;
   });
   constexpr double kMostBehind = 1e-3;
-  if (const double part = behind / lamp.intensity->integral(); part > kMostBehind)
+  if (const double part = behind / all; part > kMostBehind)
   {
     fail(cell,
       text(100 * part) +

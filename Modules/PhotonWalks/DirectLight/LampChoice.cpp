@@ -55,7 +55,8 @@ double powerBetween(
   }
   if (lamp.distribution && emitted > 0)
   {
-    emitted = LampCone::kProjected * lamp.distribution->roughIntensity(between * inverse);
+    emitted = LampCone::kProjected *
+      lamp.distribution->roughIntensity(between.normalized(), lamp.normal, lamp.face);
   }
   if (!(emitted > 0 && received > 0))
   {

@@ -75,7 +75,7 @@ LampPieces::Node LampPieces::nodeOf(std::uint32_t first, std::uint32_t end) cons
   }
   Box bounds;
   Vector3 normals = Vector3::Zero();
-  bool areFlat = true;
+  bool areFlat = true, areOfOne = true;
   double perArea = 0; // W/m2 of what is distant, across
   node.lamp.share = 0;
   node.lamp.flux = 0;
@@ -86,12 +86,15 @@ LampPieces::Node LampPieces::nodeOf(std::uint32_t first, std::uint32_t end) cons
     node.lamp.flux += piece.flux;
     normals += piece.flux * piece.normal;
     perArea += piece.crossSection > 0 ? piece.flux / piece.crossSection : -kInfinity;
-    areFlat = areFlat && piece.cone.isFlat() && !piece.distribution;
+    areFlat = areFlat && piece.cone.isFlat();
+    areOfOne = areOfOne && piece.distribution == pieces_[order_[first]].distribution;
   }
+  // Faces of one luminaire, those that look away from a cell apart from the others.
+  node.lamp.distribution = areOfOne ? pieces_[order_[first]].distribution : nullptr;
   node.lamp.crossSection = perArea > 0 ? node.lamp.flux / perArea : 0;
   node.lamp.center = bounds.center();
   node.lamp.radius = bounds.extent().norm() / 2;
-  if (areFlat && !normals.isZero(1e-9 * node.lamp.flux))
+  if (areFlat && areOfOne && !normals.isZero(1e-9 * node.lamp.flux))
   {
     node.lamp.normal = normals.normalized();
     double cosine = 1;
@@ -103,6 +106,7 @@ LampPieces::Node LampPieces::nodeOf(std::uint32_t first, std::uint32_t end) cons
     }
     constexpr double kFlat = 1 - 1e-12;
     cosine = cosine >= kFlat ? 1 : std::max(cosine, -1.0);
+    node.lamp.face = cosine == 1 ? pieces_[order_[first]].face : IntensityDistribution::Face{};
     node.lamp.cone = { cosine, std::sqrt(1 - cosine * cosine) };
   }
   return node;

@@ -12,13 +12,14 @@ namespace irradiance
 namespace
 {
 
-constexpr double kParallel = 1 - 1e-9; ///< cosine between normals of faces of one plane
+/// Cosine between normals of triangles and of the face of which they are a part.
+constexpr double kParallel = 1 - 4e-6;
 
 }
 
 /// Normals go with the inverse, so that they stay across what they were across.
 IntensityDistribution::IntensityDistribution(
-  const Luminaire& lamp, const AffineMap& worldFromObject)
+  const Luminaire& lamp, const AffineMap& worldFromObject, bool hasShares)
   : table_(lamp.intensity)
 {
   const Matrix3& linear = worldFromObject.linear;
@@ -32,7 +33,7 @@ IntensityDistribution::IntensityDistribution(
     areas_.push_back(ofNormals * face);
   }
   shares_.assign(areas_.size(), areas_.size() == 1 ? 1 : 0);
-  if (areas_.size() < 2)
+  if (areas_.size() < 2 || !hasShares)
   {
     return;
   }
@@ -63,18 +64,18 @@ double IntensityDistribution::radiance(const Vector3& direction) const
   return seen > 0 ? intensity(direction) / seen : 0;
 }
 
-double IntensityDistribution::shareOf(double area, const Vector3& normal) const
+IntensityDistribution::Face IntensityDistribution::faceOf(const Vector3& normal) const
 {
-  double faces = 0, share = 0;
+  Face face;
   for (std::size_t i = 0; i < areas_.size(); ++i)
   {
     if (areas_[i].dot(normal) >= kParallel * areas_[i].norm())
     {
-      faces += areas_[i].norm();
-      share += shares_[i];
+      face.area += areas_[i].norm();
+      face.share += shares_[i];
     }
   }
-  return faces > 0 ? share * area / faces : 0;
+  return face;
 }
 
 Vector3 IntensityDistribution::sample(std::array<double, 2> u) const
@@ -83,14 +84,14 @@ Vector3 IntensityDistribution::sample(std::array<double, 2> u) const
 }
 
 /// By rejection, unless the opening is flat: then a direction in front of it is always taken.
-Vector3 IntensityDistribution::sample(std::array<double, 2> u, const Vector3& normal) const
+Vector3 IntensityDistribution::sample(
+  std::array<double, 2> u, const Vector3& normal, const Face& face) const
 {
-  const double facing = areaFacing(normal);
   constexpr int kMostTries = 1 << 16; // beyond any lamp: a face with less light has no share
   for (int i = 0; i < kMostTries; ++i)
   {
     const Vector3 direction = sample(u);
-    const double ofFace = facing * normal.dot(direction);
+    const double ofFace = face.area * normal.dot(direction);
     if (ofFace > 0)
     {
       if (areas_.size() == 1 || otherSquare(u)[0] * seenArea(direction) <= ofFace)
@@ -103,10 +104,18 @@ Vector3 IntensityDistribution::sample(std::array<double, 2> u, const Vector3& no
   return normal;
 }
 
-double IntensityDistribution::roughIntensity(const Vector3& direction) const
+double IntensityDistribution::roughIntensity(
+  const Vector3& direction, const Vector3& normal, const Face& face) const
 {
   constexpr double kAlike = 0.1, kSphere = 4 * kPi; // the part that leaves to all sides alike
-  return (1 - kAlike) * intensity(direction) + kAlike / kSphere;
+  const double whole = (1 - kAlike) * intensity(direction) + kAlike / kSphere;
+  if (!(face.area > 0 && face.share > 0))
+  {
+    return whole;
+  }
+  constexpr double kSlack = 0.05; // of the cosine
+  const double seen = face.area * (std::max(0.0, normal.dot(direction)) + kSlack);
+  return whole * seen / (seenArea(direction) + kSlack * face.area) / face.share;
 }
 
 double IntensityDistribution::seenArea(const Vector3& direction) const
@@ -115,16 +124,6 @@ double IntensityDistribution::seenArea(const Vector3& direction) const
   for (const Vector3& area : areas_)
   {
     sum += std::max(0.0, area.dot(direction));
-  }
-  return sum;
-}
-
-double IntensityDistribution::areaFacing(const Vector3& normal) const
-{
-  double sum = 0;
-  for (const Vector3& area : areas_)
-  {
-    sum += area.dot(normal) >= kParallel * area.norm() ? area.norm() : 0;
   }
   return sum;
 }
@@ -140,7 +139,7 @@ Bands emittedFrom(
   if (const Luminaire* const lamp = object.emission->luminaireOf(cell))
   {
     const double radiance =
-      IntensityDistribution(*lamp, object.worldFromObject).radiance(direction);
+      IntensityDistribution(*lamp, object.worldFromObject, false).radiance(direction);
     std::transform(lamp->flux.begin(), lamp->flux.end(), emitted.begin(),
       [radiance](double watts) { return kPi * radiance * watts; });
     return emitted;

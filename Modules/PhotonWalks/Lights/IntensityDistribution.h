@@ -21,20 +21,30 @@ namespace irradiance
 class IntensityDistribution
 {
 public:
-  IntensityDistribution(const Luminaire& lamp, const AffineMap& worldFromObject);
+  /// `hasShares`: shares are asked for, which takes a while of an opening with several faces.
+  IntensityDistribution(
+    const Luminaire& lamp, const AffineMap& worldFromObject, bool hasShares = true);
 
   /// W/sr for each W of the lamp. `direction`: a unit vector, as the light goes.
   double intensity(const Vector3& direction) const;
   /// W/m2/sr for each W, of the faces that are seen; 0 if none is, and of a lamp without faces.
   double radiance(const Vector3& direction) const;
-  /// The part of the light that leaves a face. `normal`: of the front.
-  double shareOf(double area, const Vector3& normal) const;
+  /// All faces that look the same way.
+  struct Face
+  {
+    double area = 0, share = 0; ///< m2; of the light
+    /// Of the light that leaves a part of them.
+    double shareOf(double itsArea) const { return area > 0 ? share * itsArea / area : 0; }
+  };
+  /// `normal`: of the front, a unit vector.
+  Face faceOf(const Vector3& normal) const;
   /// A direction in which light leaves a lamp without faces, or a face with this normal.
   Vector3 sample(std::array<double, 2> u) const;
-  Vector3 sample(std::array<double, 2> u, const Vector3& normal) const;
+  Vector3 sample(std::array<double, 2> u, const Vector3& normal, const Face& face) const;
   /// What to weigh directions by where a lamp or a receiver is wide: it is like the intensity, but
-  /// nowhere much less than in the directions beside.
-  double roughIntensity(const Vector3& direction) const;
+  /// nowhere much less than in the directions beside. Of a face, for each W that leaves it; without
+  /// one (of no area), of all of the lamp.
+  double roughIntensity(const Vector3& direction, const Vector3& normal, const Face& face) const;
 
   friend bool operator==(const IntensityDistribution& a, const IntensityDistribution& b)
   {
@@ -44,8 +54,6 @@ public:
 private:
   /// m2, of the opening as it is seen.
   double seenArea(const Vector3& direction) const;
-  /// Of the faces with this normal.
-  double areaFacing(const Vector3& normal) const;
 
   std::shared_ptr<const DirectionTable> table_;
   Matrix3 axes_;               ///< of the table, as columns

@@ -114,6 +114,7 @@ void addPieces(
     piece.triangle = *surface;
     piece.normal = surface->areaVector().normalized();
     piece.cone = { 1, 0 };
+    piece.face = light.area()->face;
     cut(piece, 0, shortest, pieces);
   }
   else

@@ -45,6 +45,7 @@ struct LampPiece
   double radius = 0;                        ///< all corners are within it of the center
   LampCone cone{};
   const IntensityDistribution* distribution = nullptr; ///< of a luminaire
+  IntensityDistribution::Face face{};                  ///< of which it is a part; none of all faces
   const DistantLight::Part* part = nullptr;            ///< of a distant light
   /// m2, if it is distant, else 0: a plane across its light receives the flux over this, W/m2.
   double crossSection = 0;

@@ -26,6 +26,7 @@ struct AreaLight
   TriangleId id;
   Triangle triangle;
   std::shared_ptr<const IntensityDistribution> ofLuminaire{}; ///< null: diffuse
+  IntensityDistribution::Face face{};                         ///< of that, of which it is a part
 
   /// What the cosine to the normal is times, for the intensity of each W, 1/sr.
   static constexpr double kPerSteradian = 1 / kPi;
@@ -34,17 +35,17 @@ struct AreaLight
 
   Box bounds() const { return triangle.bounds(); }
   /// What the radiance in a direction is, over that of a diffuse light of the same flux.
-  double relativeRadiance(const Vector3& direction, const Vector3& normal) const
+  double relativeRadiance(const Vector3& direction) const
   {
-    return ofLuminaire ? ofLuminaire->radiance(direction) * etendue(triangle) /
-        ofLuminaire->shareOf(triangle.area(), normal)
-                       : 1;
+    return ofLuminaire
+      ? ofLuminaire->radiance(direction) * etendue(triangle) / face.shareOf(triangle.area())
+      : 1;
   }
   Ray leaving(const std::array<double, 2>& place, const std::array<double, 2>& direction) const
   {
     const SurfacePoint start = surfacePoint(triangle, sampleTriangle(place));
     return { start.clearPosition(),
-      ofLuminaire ? ofLuminaire->sample(direction, start.normal)
+      ofLuminaire ? ofLuminaire->sample(direction, start.normal, face)
                   : sampleHemisphere(start.normal, direction),
       id };
   }
@@ -85,7 +86,7 @@ struct LightPlace
   double relativeRadiance(const Vector3& to) const
   {
     return onSurface && onSurface->ofLuminaire
-      ? onSurface->relativeRadiance((to - point.position).normalized(), point.normal)
+      ? onSurface->relativeRadiance((to - point.position).normalized())
       : 1;
   }
   /// Whether light may leave towards a place, which rounding does not tell.

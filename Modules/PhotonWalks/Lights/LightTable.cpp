@@ -102,7 +102,8 @@ void LightTable::addAreas(const SceneObjects& objects, std::uint32_t number,
     if (lamp)
     {
       shape.ofLuminaire = luminaires[emission.luminaireOfCell[cell]];
-      times = shape.ofLuminaire->shareOf(area, shape.triangle.areaVector().normalized());
+      shape.face = shape.ofLuminaire->faceOf(shape.triangle.areaVector().normalized());
+      times = shape.face.shareOf(area);
     }
     Light light({ number, cell }, shape);
     const double* const watts = lamp ? lamp->flux.data() : emission.exitanceOf(cell);

@@ -122,7 +122,8 @@ double SeenLight::irradiance(const LitPoint& point) const
   }
   const double alike = piece_->flux * taken() / AreaLight::etendue(piece_->triangle);
   return piece_->distribution ? alike * kPi *
-      piece_->distribution->roughIntensity(along.normalized()) * along.norm() / leaving
+      piece_->distribution->roughIntensity(along.normalized(), piece_->normal, piece_->face) *
+      along.norm() / leaving
                               : alike;
 }
 

@@ -36,7 +36,7 @@ struct Luminaire
   Vector3 axis, reference;                         ///< of the table: unit vectors in its object
   std::vector<double> flux;                        ///< W, one per band
   /// Area vectors of the opening, in its object, m2: the sum of all triangles in planes that are
-  /// parallel. Empty: it shines from points.
+  /// parallel, up to .1 degrees. Empty: it shines from points.
   std::vector<Vector3> faces;
 
   friend bool operator==(const Luminaire& a, const Luminaire& b)
