@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Features.h"
+#include "Skies.h"
 
 #include "Views/StoredSensors.h"
 #include "Views/WalkPaths.h"
@@ -124,6 +125,28 @@ std::function<Film()> inAnOven(const EngineSettings& settings)
     addPanel(oven, { 1.5, 1.5, 2.9 }, 1, 1, 500);
     return going({ oven.build(), { ball({}, 0.4, 6) } }, settings,
       { { 1, 1, 1 }, { 2, 2, 2 }, { 2, 2, 2.8 }, { 5, 2, 1 }, { 1, 1, 1 } });
+  };
+}
+
+/// A ball and a block before a house, in the light of a clear sky, of its sun, and of a lamp.
+std::function<Film()> outdoors(const EngineSettings& settings, int bands, double sunRadius)
+{
+  return [=] {
+    ObjectBuilder yard(bands);
+    yard.addQuad({ -2, -2, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, 5, 5, grey(0.4));
+    yard.addBox(box({ -2, -1, 0 }, { -1, 1, 1.5 }), 2, grey(0.6));
+    addPanel(yard, { -1, -0.25, 1.25 }, 0.5, 0.5, 8);
+    Sky sky = skyOf(box({ -2.5, -2.5, -0.25 }, { 2.5, 2.5, 2 }), cieSky(12, 120), 0.3, bands);
+    sky.towardsSun = towards(30, 120);
+    sky.sunIrradiance = { 5, 4, 3 };
+    sky.sunIrradiance.resize(static_cast<std::size_t>(bands));
+    sky.bandWeights.back() = 0.5;
+    sky.sunRadius = sunRadius;
+    return going({ yard.build(),
+                   { ball({}, 0.3, 4, grey(0.5), bands),
+                     block({ 0.5, -1, 0.5 }, { 0.3, 0.2, 0.5 }, 2, grey(0.7), bands) },
+                   std::make_shared<const Sky>(sky) },
+      settings, { { 0, 0.5, 0.5 }, { 0.5, 0, 0.5 }, { 0.5, 0, 1.5 }, { -0.9, 0.2, 1.4 } });
   };
 }
 
@@ -443,6 +466,11 @@ std::vector<Feature> features()
       true },
     { "AFarLampOfFinalGather", belowAFarLamp(Shoot(2000).finalGather(16).errors(4)), {}, false,
       true },
+    { "Sky", outdoors(Shoot(walks).errors(16).cached(), 1, 0) },
+    { "SunAndSkyOfGatheredLight", outdoors(Shoot(walks).gathered().errors(4).bySide(), 3, 0.01) },
+    { "SkyOfFinalGather", outdoors(Shoot(5000).finalGather(8).everywhere().errors(4), 1, 0.005) },
+    { "SensorsUnderTheSky", outdoors(Shoot(walks).gathered().errors(3).keptByAll(), 3, 0.01),
+      bySensors },
     { "ManyMovers", amongMany(24, 0.2, Shoot(walks)) },
     { "ManySmallMovers", amongMany(40, 0.05, Shoot(4 * walks)) },
     { "VeryManyMovers", amongMany(520, 0.04, Shoot(walks)) },
@@ -512,6 +540,16 @@ public:
     }
   }
 
+  void apply(std::shared_ptr<const Sky>& sky) const
+  {
+    if (sky)
+    {
+      Sky other = *sky;
+      other.lit = { sky->lit.lower * scale_, sky->lit.upper * scale_ };
+      sky = std::make_shared<const Sky>(std::move(other));
+    }
+  }
+
 private:
   std::shared_ptr<const RigidObject> scaled(const TriangleMesh& mesh) const
   {
@@ -565,6 +603,7 @@ Film scaledFilm(const Film& film, double scale, bool scalesModels)
     {
       scaling.apply(object, scalesModels);
     }
+    scaling.apply(frame.objects.sky);
   }
   return all;
 }

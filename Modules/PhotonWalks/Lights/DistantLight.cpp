@@ -99,6 +99,7 @@ std::vector<DistantLight::Part> DistantLight::partsOfSky() const
   constexpr int kRows = 16; // from pole to pole
   constexpr double kHeight = kPi / kRows;
   std::vector<Part> parts;
+  std::array<int, kRows + 1> starts{}; // of rows in these
   for (int row = 0; row < kRows; ++row)
   {
     const double upper = std::cos(row * kHeight),
@@ -117,27 +118,33 @@ std::vector<DistantLight::Part> DistantLight::partsOfSky() const
       }
       parts.push_back(part);
     }
+    starts[row + 1] = static_cast<int>(parts.size());
   }
-  std::vector<Part*> touched;
+  std::vector<int> touched;
   table_->forEachPart([&](const Vector3& local, double weight) {
     constexpr double kHalf = kPi / 360; // of what is widest
     const double polar = std::acos(std::clamp(local[2], -1.0, 1.0)),
                  azimuth = std::atan2(local[1], local[0]);
-    const double upper = std::cos(std::max(0.0, polar - kHalf)),
-                 lower = std::cos(std::min(kPi, polar + kHalf));
+    const auto placeOf = [](double angle, double width) {
+      return static_cast<int>(std::floor(angle / width));
+    };
+    const int first = placeOf(std::max(0.0, polar - kHalf), kHeight),
+              last = placeOf(polar + kHalf, kHeight);
     touched.clear();
-    for (Part& part : parts)
+    for (int row = first; row <= std::min(last, kRows - 1); ++row)
     {
-      if (part.lower < upper && part.upper > lower && (part.lower >= 0) == (local[2] > 0) &&
-        std::abs(std::remainder(azimuth - (part.first + part.last) / 2, 2 * kPi)) <
-          (part.last - part.first) / 2 + kHalf)
+      const int columns = starts[row + 1] - starts[row];
+      const double width = 2 * kPi / columns;
+      const bool isAlike = (2 * row < kRows) == (local[2] > 0);
+      for (int i = placeOf(azimuth - kHalf, width); isAlike && i <= placeOf(azimuth + kHalf, width);
+           ++i)
       {
-        touched.push_back(&part);
+        touched.push_back(starts[row] + (i + columns) % columns);
       }
     }
-    for (Part* const part : touched)
+    for (const int part : touched)
     {
-      part->flux += weight / (table_->integral() * static_cast<double>(touched.size()));
+      parts[part].flux += weight / (table_->integral() * static_cast<double>(touched.size()));
     }
   });
   parts.erase(
