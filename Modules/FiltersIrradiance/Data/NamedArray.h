@@ -7,6 +7,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
 
 #include <algorithm>
 #include <string>
@@ -35,6 +36,24 @@ void addTuple(vtkFieldData* fields, const std::string& name,
 {
   const auto array = addArray<Array>(fields, name, static_cast<int>(tuple.size()), 1);
   std::copy(tuple.begin(), tuple.end(), array->GetPointer(0));
+}
+
+/// Adds an array of one component.
+inline void addColumn(
+  vtkFieldData* fields, const std::string& name, const std::vector<double>& values)
+{
+  const auto array =
+    addArray<vtkDoubleArray>(fields, name, 1, static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+}
+
+/// Adds an array of one text, unless that is empty.
+inline void addText(vtkFieldData* fields, const std::string& name, const std::string& text)
+{
+  if (!text.empty())
+  {
+    addArray<vtkStringArray>(fields, name, 1, 1)->SetValue(0, text);
+  }
 }
 
 /// The values of an array as doubles; they share it if it has doubles. Null for null.
