@@ -3,6 +3,7 @@
 #define irradiance_NamedArray_h
 
 #include "Exposure/ReplicateSums.h"
+#include "Progress/InputError.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -54,6 +55,23 @@ inline void addText(vtkFieldData* fields, const std::string& name, const std::st
   {
     addArray<vtkStringArray>(fields, name, 1, 1)->SetValue(0, text);
   }
+}
+
+/// All values of a field-data array of one component. Throws InputError; `missing`: if there is none.
+inline std::vector<double> columnOf(
+  const std::string& where, vtkFieldData* fields, const char* name, const std::string& missing)
+{
+  vtkDataArray* const array = fields->GetArray(name);
+  throwIf(!array, where + missing);
+  throwIf(array->GetNumberOfComponents() != 1,
+    where + ": the field-data array " + name + " has " +
+      std::to_string(array->GetNumberOfComponents()) + " components; 1 is possible");
+  std::vector<double> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    values[i] = array->GetComponent(static_cast<vtkIdType>(i), 0);
+  }
+  return values;
 }
 
 /// The values of an array as doubles; they share it if it has doubles. Null for null.

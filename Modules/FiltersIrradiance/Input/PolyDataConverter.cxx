@@ -13,7 +13,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <iterator>
 #include <optional>
 #include <sstream>
 
@@ -34,10 +33,7 @@ public:
     , arrays_(arrays)
     , defaultReflectance_(defaultReflectance)
     , target_(target)
-    , bands_(target.material.bands)
     , pace_(cancelPoint)
-    , ghosts_(input->GetCellGhostArray())
-    , firstCell_(target.material.numberOfCells)
   {
   }
 
@@ -52,7 +48,7 @@ public:
     {
       throwIf(!cells->IsValid(), where_ + ": the offsets of a cell array are not valid");
     }
-    luminaire_ = LuminaireFields::of(where_, input_, bands_);
+    luminaire_ = readLuminaires(where_, input_, bands_);
     for (const MaterialArray light : { Exitance, Flux })
     {
       throwIf(luminaire_ && arrays_[light],
@@ -80,7 +76,7 @@ public:
     checkMisplaced();
     if (luminaire_)
     {
-      luminaire_->addTo(target_, firstCell_, firstTriangle);
+      addLuminaires(*luminaire_, firstCell_, firstTriangle, target_);
     }
     return warnings();
   }
@@ -100,29 +96,21 @@ private:
     {
       return;
     }
-    const vtkIdType cells = input_->GetNumberOfCells();
     const bool mayHaveThree = number != Exponent;
-    std::ostringstream message, shape;
-    message << where_ << ": the array " << (array->GetName() ? array->GetName() : "(unnamed)")
-            << " (" << kArrayMeanings[number] << ") has ";
-    shape << "; in NumPy its shape is (" << cells << ",)";
-    if (mayHaveThree)
-    {
-      shape << " or (" << cells << ", 3)";
-    }
+    const vtkIdType tuples = array->GetNumberOfTuples();
     const int components = array->GetNumberOfComponents();
-    if (array->GetNumberOfTuples() != cells)
-    {
-      message << array->GetNumberOfTuples() << " tuples for " << cells << " cells" << shape.str();
-      throw InputError(message.str());
-    }
-    if (components != 1 && !(mayHaveThree && components == 3))
-    {
-      message << components << " components; "
-              << (mayHaveThree ? "1 or 3 are possible" : "1 is possible") << shape.str()
-              << ", and append() repeats an array of any other length in each cell";
-      throw InputError(message.str());
-    }
+    const std::string cells = std::to_string(input_->GetNumberOfCells());
+    const std::string has = where_ + ": the array " +
+      (array->GetName() ? array->GetName() : "(unnamed)") + " (" + kArrayMeanings[number] +
+      ") has ";
+    const std::string shape =
+      "; in NumPy its shape is (" + cells + ",)" + (mayHaveThree ? " or (" + cells + ", 3)" : "");
+    throwIf(tuples != input_->GetNumberOfCells(),
+      has + std::to_string(tuples) + " tuples for " + cells + " cells" + shape);
+    throwIf(components != 1 && !(mayHaveThree && components == 3),
+      has + std::to_string(components) + " components; " +
+        (mayHaveThree ? "1 or 3 are possible" : "1 is possible") + shape +
+        ", and append() repeats an array of any other length in each cell");
   }
 
   void makeRoom()
@@ -174,7 +162,7 @@ private:
       for (int band = 0; band < bands_; ++band)
       {
         const double flux = luminaire_
-          ? luminaire_->flux()[static_cast<std::size_t>(band)]
+          ? luminaire_->flux[static_cast<std::size_t>(band)]
           : checked("radiant flux", value(arrays_[Flux], band), kBrightest, " W");
         light.flux.push_back(flux / static_cast<double>(count));
         total += flux;
@@ -309,11 +297,11 @@ private:
 
   std::vector<InputWarning> warnings() const
   {
-    std::vector<InputWarning> warnings;
-    const std::vector<InputWarning> odd{ withoutArea_, crossed_, fluxElsewhere_,
+    std::vector<InputWarning> warnings{ withoutArea_, crossed_, fluxElsewhere_,
       exitanceElsewhere_ };
-    std::copy_if(odd.begin(), odd.end(), std::back_inserter(warnings),
-      [](const InputWarning& warning) { return warning.cells > 0; });
+    warnings.erase(std::remove_if(warnings.begin(), warnings.end(),
+                     [](const InputWarning& warning) { return warning.cells == 0; }),
+      warnings.end());
     if (arrays_[Exponent] && !arrays_[Specular])
     {
       warnings.push_back(
@@ -372,11 +360,11 @@ private:
   const MaterialArrays<vtkDataArray>& arrays_;
   double defaultReflectance_;
   ConvertedPolyData& target_;
-  int bands_;
+  const int bands_ = target_.material.bands;
+  const std::size_t firstCell_ = target_.material.numberOfCells; ///< in the target
+  vtkUnsignedCharArray* const ghosts_ = input_->GetCellGhostArray();
   ThrottledCancelPoint pace_;
-  vtkUnsignedCharArray* ghosts_;
-  std::size_t firstCell_; ///< in the target
-  vtkIdType cell_ = 0;    ///< the cell being read, by VTK's number
+  vtkIdType cell_ = 0; ///< the cell being read, by VTK's number
   std::optional<LuminaireFields> luminaire_;
   std::vector<Vector3> corners_;
   /// Each counts the cells that it is about.
