@@ -95,11 +95,7 @@ int vtkLuminaireReader::RequestData(
     irradiance::throwIf(!this->FileName || !*this->FileName, "there is no FileName");
     irradiance::PhotometricFile file =
       irradiance::readPhotometricFile(this->FileName, this->LampSet);
-    const double watts = WattsOf(file, this->FileName, this->LuminousEfficacy);
-    for (double& value : file.table.values)
-    {
-      value *= watts;
-    }
+    file.table.scale(WattsOf(file, this->FileName, this->LuminousEfficacy));
     if (file.isRadiometric() && this->LuminousEfficacy != 0)
     {
       file.warnings.push_back(std::string(this->FileName) + " gives " + file.unit +
@@ -116,8 +112,7 @@ int vtkLuminaireReader::RequestData(
     irradiance::addColumn(fields, "RadiantIntensity", file.table.values);
     irradiance::addColumn(fields, "PolarAngles", file.table.polar);
     irradiance::addColumn(fields, "AzimuthAngles", file.table.azimuth);
-    irradiance::addColumn(fields, "Flux",
-      { irradiance::fluxOf(file.table.polar, file.table.azimuth, file.table.values) });
+    irradiance::addColumn(fields, "Flux", { file.table.flux() });
     irradiance::addText(fields, "LuminousShape", file.opening.name());
     irradiance::addText(fields, "IntensityUnit", file.unit);
     irradiance::addText(fields, "Luminaire", file.luminaire);

@@ -12,44 +12,32 @@ namespace irradiance
 namespace
 {
 
-/// The lines of the head as the format counts them, from 1.
-class EulumdatHead
+/// Lines of the head have their numbers of the format, from 1.
+NumberReader numberAt(const PhotometricText& text, std::size_t line)
 {
-public:
-  explicit EulumdatHead(const PhotometricText& text)
-    : text_(text)
+  if (text.line(line - 1).empty())
   {
+    text.fail(line - 1, "a number has to be here in EULUMDAT; in IES a line begins with TILT=");
   }
+  return { text, line - 1, " \t" };
+}
 
-  std::string words(std::size_t line) const { return std::string(text_.line(line - 1)); }
-  NumberReader at(std::size_t line) const
-  {
-    if (text_.line(line - 1).empty())
-    {
-      text_.fail(line - 1, "a number has to be here in EULUMDAT; in IES a line begins with TILT=");
-    }
-    return { text_, line - 1, " \t" };
-  }
-  /// An empty line is 0.
-  double length(std::size_t line, const char* name) const
-  {
-    return text_.line(line - 1).empty() ? 0 : at(line).next(name, 0);
-  }
-
-private:
-  const PhotometricText& text_;
-};
+/// An empty line is 0.
+double lengthAt(const PhotometricText& text, std::size_t line, const char* name)
+{
+  return text.line(line - 1).empty() ? 0 : numberAt(text, line).next(name, 0);
+}
 
 /// The length lies along y, as C90 does.
-LuminousOpening eulumdatOpening(const EulumdatHead& head)
+LuminousOpening eulumdatOpening(const PhotometricText& text)
 {
   constexpr double kMillimetre = 0.001;
-  const double length = head.length(16, "length or diameter of the luminous area") * kMillimetre;
-  const double width = head.length(17, "width of the luminous area") * kMillimetre;
+  const double length = lengthAt(text, 16, "length or diameter of the luminous area") * kMillimetre;
+  const double width = lengthAt(text, 17, "width of the luminous area") * kMillimetre;
   double height = 0;
   for (const std::size_t line : { 18, 19, 20, 21 })
   {
-    height = std::max(height, head.length(line, "height of the luminous area") * kMillimetre);
+    height = std::max(height, lengthAt(text, line, "height of the luminous area") * kMillimetre);
   }
   using Shape = LuminousOpening::Shape;
   const bool isRound = width == 0 && length > 0;
@@ -102,9 +90,9 @@ StoredAngles storedPlanes(
   return around;
 }
 
-void warnOfOutputRatio(
-  PhotometricFile& file, const PhotometricText& text, double perCent, double stated)
+void warnOfOutputRatio(PhotometricFile& file, const PhotometricText& text, double stated)
 {
+  const double perCent = file.table.flux() / 10; // of cd/klm
   const bool differs = stated > 0 && std::abs(perCent - stated) > 5;
   if (differs || perCent > 105)
   {
@@ -119,23 +107,23 @@ void warnOfOutputRatio(
 
 PhotometricFile parseEulumdat(const PhotometricText& text, int lampSet)
 {
-  const EulumdatHead head(text);
   PhotometricFile file;
-  file.manufacturer = head.words(1);
-  file.luminaire = head.words(9);
-  const std::size_t symmetry = head.at(3).nextCount("EULUMDAT symmetry", 0, 4);
-  const std::size_t planes = head.at(4).nextCount("number of C planes");
-  const std::size_t rows = head.at(6).nextCount("number of gamma angles");
-  file.opening = eulumdatOpening(head);
-  const double ratio = head.length(23, "light output ratio");
-  const double conversion = head.at(24).nextPositive("conversion factor");
-  const std::size_t sets = head.at(26).nextCount("number of lamp sets");
-  throwIf(static_cast<std::size_t>(lampSet) >= sets,
+  file.manufacturer = text.line(0);
+  file.luminaire = text.line(8);
+  const std::size_t symmetry = numberAt(text, 3).nextCount("EULUMDAT symmetry", 0, 4);
+  const std::size_t planes = numberAt(text, 4).nextCount("number of C planes");
+  const std::size_t rows = numberAt(text, 6).nextCount("number of gamma angles");
+  file.opening = eulumdatOpening(text);
+  const double ratio = lengthAt(text, 23, "light output ratio");
+  const double conversion = numberAt(text, 24).nextPositive("conversion factor");
+  const std::size_t sets = numberAt(text, 26).nextCount("number of lamp sets");
+  const auto lampSetNumber = static_cast<std::size_t>(lampSet);
+  throwIf(lampSetNumber >= sets,
     "LampSet is " + std::to_string(lampSet) + ", and " + text.fileName() + " has " +
       std::to_string(sets) + " sets of lamps, counted from 0");
   const std::size_t linesPerSet = 6, firstSet = 27, ratios = 10;
-  const double lumens = head.at(firstSet + static_cast<std::size_t>(lampSet) * linesPerSet + 2)
-                          .nextPositive("lumens of the lamps");
+  const double lumens =
+    numberAt(text, firstSet + lampSetNumber * linesPerSet + 2).nextPositive("lumens of the lamps");
 
   NumberReader numbers(text, firstSet - 1 + sets * linesPerSet + ratios, " \t");
   const StoredAngles around =
@@ -148,16 +136,9 @@ PhotometricFile parseEulumdat(const PhotometricText& text, int lampSet)
   const std::size_t stored = 1 + *std::max_element(around.stored.begin(), around.stored.end());
   file.table = expandedTable(
     StoredAngles(gamma), around, numbers.lastValues("intensity", rows, stored), 1, rows);
-  for (double& value : file.table.values)
-  {
-    value *= conversion;
-  }
-  warnOfOutputRatio(
-    file, text, fluxOf(file.table.polar, file.table.azimuth, file.table.values) / 10, ratio);
-  for (double& value : file.table.values)
-  {
-    value *= lumens / 1000;
-  }
+  file.table.scale(conversion);
+  warnOfOutputRatio(file, text, ratio);
+  file.table.scale(lumens / 1000);
   return file;
 }
 

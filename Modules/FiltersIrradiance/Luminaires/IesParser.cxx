@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace irradiance
 {
@@ -15,14 +16,6 @@ namespace
 {
 
 constexpr const char* kIesSeparators = " \t,";
-
-std::string upperCase(std::string_view text)
-{
-  std::string upper(text);
-  std::transform(upper.begin(), upper.end(), upper.begin(),
-    [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-  return upper;
-}
 
 /// The version of the standard: 1986, 1991, 1995, 2002 or 2019. Other years count as the last
 /// version before them.
@@ -184,7 +177,9 @@ StoredAngles acrossZero(const std::vector<double>& angles)
   StoredAngles across(angles);
   if (angles.front() == 0)
   {
-    across.mirrorAtFirst();
+    across = reversed(across);
+    across.mirrorAtLast();
+    across = reversed(across);
   }
   return across;
 }
@@ -203,20 +198,17 @@ StoredAngles polarAngles(StoredAngles angles)
 IntensityTable readTable(
   NumberReader& numbers, int year, std::size_t type, std::size_t rows, std::size_t planes)
 {
-  struct Range
-  {
-    double low, high;
-  };
+  using Range = std::pair<double, double>;
   const Range half{ -90, 90 }, turn{ -180, 180 };
   // In 1986 types A and C had one number.
   const bool isOldA = type == 1 && year == 1986 && NumberReader(numbers).next("vertical angle") < 0;
   const bool isB = type == 2, isC = type == 1 && !isOldA;
   const Range v = isB ? turn : isC ? Range{ 0, 180 } : half;
   const std::vector<double> vertical =
-    numbers.nextAngles("vertical angle", rows, v.low, v.high, !isB);
+    numbers.nextAngles("vertical angle", rows, v.first, v.second, !isB);
   const Range h = isB ? half : isC ? Range{ 0, 360 } : turn;
   const std::vector<double> horizontal =
-    numbers.nextAngles("horizontal angle", planes, h.low, h.high, isB);
+    numbers.nextAngles("horizontal angle", planes, h.first, h.second, isB);
   if (rows < 2 || (planes < 2 && !isC))
   {
     numbers.fail("there are " + std::to_string(rows) + " vertical and " + std::to_string(planes) +
@@ -279,10 +271,7 @@ PhotometricFile parseIes(const PhotometricText& text, const ReadBeside& readBesi
   numbers.next("input watts");
   file.table = readTable(numbers, year, type, rows, planes);
   factor *= file.unit == "mW/sr" ? 1e-3 : file.unit == "uW/sr" ? 1e-6 : 1;
-  for (double& value : file.table.values)
-  {
-    value *= factor;
-  }
+  file.table.scale(factor);
   if (upperCase(numbers.peek()) == "[ENDBLOCK]")
   {
     file.warnings.push_back(text.fileName() + " has several luminaires; the first one is read");

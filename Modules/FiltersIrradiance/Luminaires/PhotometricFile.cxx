@@ -33,7 +33,7 @@ PhotometricFile parsePhotometricFile(
 {
   PhotometricFile file =
     text.tiltLine() < text.size() ? parseIes(text, readBeside) : parseEulumdat(text, lampSet);
-  const double flux = fluxOf(file.table.polar, file.table.azimuth, file.table.values);
+  const double flux = file.table.flux();
   throwIf(!(flux > 0 && flux <= std::numeric_limits<double>::max()),
     text.fileName() + ": the flux of the table is " + irradiance::text(flux) +
       "; it has to be above 0 and finite");

@@ -20,19 +20,12 @@ bool isUtf8(const std::string& text)
   for (const char c : text)
   {
     const auto byte = static_cast<unsigned char>(c);
-    if ((byte & 0xC0) == 0x80)
-    {
-      if (following-- == 0)
-      {
-        return false;
-      }
-      continue;
-    }
-    if (following != 0 || byte >= 0xF8)
+    const bool follows = (byte & 0xC0) == 0x80;
+    if (follows != following > 0 || byte >= 0xF8)
     {
       return false;
     }
-    following = byte < 0x80 ? 0 : byte < 0xE0 ? 1 : byte < 0xF0 ? 2 : 3;
+    following = follows ? following - 1 : byte < 0x80 ? 0 : byte < 0xE0 ? 1 : byte < 0xF0 ? 2 : 3;
   }
   return following == 0;
 }
@@ -43,13 +36,8 @@ std::string utf8OfLatin1(const std::string& text)
   for (const char c : text)
   {
     const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x80)
-    {
-      utf8 += c;
-      continue;
-    }
-    utf8 += static_cast<char>(0xC0 | byte >> 6);
-    utf8 += static_cast<char>(0x80 | (byte & 0x3F));
+    utf8 += byte < 0x80 ? "" : byte < 0xC0 ? "\xC2" : "\xC3";
+    utf8 += byte < 0x80 ? c : static_cast<char>(0x80 | (byte & 0x3F));
   }
   return utf8;
 }
@@ -60,6 +48,14 @@ std::string quoted(std::string_view word)
   return '"' + std::string(word.substr(0, 40)) + '"';
 }
 
+}
+
+std::string upperCase(std::string_view text)
+{
+  std::string upper(text);
+  std::transform(upper.begin(), upper.end(), upper.begin(),
+    [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  return upper;
 }
 
 PhotometricText::PhotometricText(const std::string& fileName, const std::string& bytes)
@@ -92,13 +88,7 @@ std::string_view PhotometricText::line(std::size_t i) const
 std::size_t PhotometricText::tiltLine() const
 {
   std::size_t i = 0;
-  const auto isTilt = [](std::string_view line) {
-    constexpr std::string_view kTilt = "tilt=";
-    return line.size() >= kTilt.size() &&
-      std::equal(kTilt.begin(), kTilt.end(), line.begin(),
-        [](char small, char c) { return c == small || (small != '=' && c == small - 'a' + 'A'); });
-  };
-  while (i < size() && !isTilt(line(i)))
+  while (i < size() && upperCase(line(i).substr(0, 5)) != "TILT=")
   {
     ++i;
   }

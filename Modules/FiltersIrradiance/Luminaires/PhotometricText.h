@@ -11,6 +11,9 @@
 namespace irradiance
 {
 
+/// Of ASCII letters, in every locale.
+std::string upperCase(std::string_view text);
+
 /// The lines of a lamp file, counted from 0 here and from 1 in errors.
 class PhotometricText
 {
