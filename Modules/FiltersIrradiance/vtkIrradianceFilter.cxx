@@ -467,11 +467,6 @@ void vtkIrradianceFilter::SetDynamicMatrix(int i, double m00, double m01, double
   this->SetDynamicMatrix(i, elements);
 }
 
-void vtkIrradianceFilter::RemoveAllDynamicInputs()
-{
-  this->RemoveAllInputConnections(1);
-}
-
 void vtkIrradianceFilter::SetCellArray(const char* quantity, const char* name)
 {
   const std::string wanted = quantity ? quantity : "";
@@ -666,11 +661,6 @@ int vtkIrradianceFilter::FillOutputPortInformation(int port, vtkInformation* inf
 vtkPolyData* vtkIrradianceFilter::GetWalksOutput()
 {
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
-}
-
-vtkAlgorithmOutput* vtkIrradianceFilter::GetWalksOutputPort()
-{
-  return this->GetOutputPort(1);
 }
 
 // The executive copies only the times of the first connection; a scene has the times of all.

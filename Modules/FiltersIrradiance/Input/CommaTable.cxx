@@ -81,8 +81,7 @@ bool CommaTable::next()
 
 double CommaTable::progress() const
 {
-  return read_ < length_ ? static_cast<double>(read_) / static_cast<double>(length_)
-                         : (length_ > 0 ? 1.0 : 0.0);
+  return length_ > 0 ? std::min(1.0, static_cast<double>(read_) / static_cast<double>(length_)) : 0;
 }
 
 bool CommaTable::hasAny(const std::vector<std::string>& columns) const
