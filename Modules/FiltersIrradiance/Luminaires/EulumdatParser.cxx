@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Luminaires/PhotometricFile.h"
 
-#include "Progress/InputError.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -15,10 +13,8 @@ namespace
 /// Lines of the head have their numbers of the format, from 1.
 NumberReader numberAt(const PhotometricText& text, std::size_t line)
 {
-  if (text.line(line - 1).empty())
-  {
-    text.fail(line - 1, "a number has to be here in EULUMDAT; in IES a line begins with TILT=");
-  }
+  text.failIf(text.line(line - 1).empty(), line - 1,
+    "a number has to be here in EULUMDAT; in IES a line begins with TILT=");
   return { text, line - 1, " \t" };
 }
 
@@ -74,13 +70,9 @@ StoredAngles storedPlanes(
     }
   }
   const std::size_t stored = listed.size() / (symmetry == 4 ? 4 : 2) + 1;
-  if (angles.size() != stored || angles.front() != first || angles.back() != last)
-  {
-    numbers.fail("of the " + std::to_string(listed.size()) + " C angles " +
-      std::to_string(angles.size()) + " are from " + text(first) + " to " + text(last) +
-      "; with the symmetry " + std::to_string(symmetry) + " they are to be " +
-      std::to_string(stored) + ", with both of these");
-  }
+  numbers.failIf(angles.size() != stored || angles.front() != first || angles.back() != last,
+    "of the ", listed.size(), " C angles ", angles.size(), " are from ", first, " to ", last,
+    "; with the symmetry ", symmetry, " they are to be ", stored, ", with both of these");
   StoredAngles around(angles);
   around.mirrorAtLast();
   if (symmetry == 4)
@@ -96,10 +88,9 @@ void warnOfOutputRatio(PhotometricFile& file, const PhotometricText& text, doubl
   const bool differs = stated > 0 && std::abs(perCent - stated) > 5;
   if (differs || perCent > 105)
   {
-    file.warnings.push_back(text.fileName() + ": the table holds " + irradiance::text(perCent) +
-      " % of the lamps' lumens, and the light output ratio is " + irradiance::text(stated) +
-      " %; the table counts" +
-      (perCent > 105 ? " (are its values candela in place of cd/klm?)" : ""));
+    file.warnings.push_back(joined(text.fileName(), ": the table holds ", perCent,
+      " % of the lamps' lumens, and the light output ratio is ", stated, " %; the table counts",
+      perCent > 105 ? " (are its values candela in place of cd/klm?)" : ""));
   }
 }
 
@@ -118,9 +109,8 @@ PhotometricFile parseEulumdat(const PhotometricText& text, int lampSet)
   const double conversion = numberAt(text, 24).nextPositive("conversion factor");
   const std::size_t sets = numberAt(text, 26).nextCount("number of lamp sets");
   const auto lampSetNumber = static_cast<std::size_t>(lampSet);
-  throwIf(lampSetNumber >= sets,
-    "LampSet is " + std::to_string(lampSet) + ", and " + text.fileName() + " has " +
-      std::to_string(sets) + " sets of lamps, counted from 0");
+  throwIf(lampSetNumber >= sets, "LampSet is ", lampSet, ", and ", text.fileName(), " has ", sets,
+    " sets of lamps, counted from 0");
   const std::size_t linesPerSet = 6, firstSet = 27, ratios = 10;
   const double lumens =
     numberAt(text, firstSet + lampSetNumber * linesPerSet + 2).nextPositive("lumens of the lamps");
@@ -129,10 +119,7 @@ PhotometricFile parseEulumdat(const PhotometricText& text, int lampSet)
   const StoredAngles around =
     storedPlanes(numbers, symmetry, numbers.nextAngles("C angle", planes, 0, 360, false));
   const std::vector<double> gamma = numbers.nextAngles("gamma angle", rows, 0, 180, true);
-  if (rows < 2)
-  {
-    numbers.fail("there is one gamma angle; two at least are needed");
-  }
+  numbers.failIf(rows < 2, "there is one gamma angle; two at least are needed");
   const std::size_t stored = 1 + *std::max_element(around.stored.begin(), around.stored.end());
   file.table = expandedTable(
     StoredAngles(gamma), around, numbers.lastValues("intensity", rows, stored), 1, rows);

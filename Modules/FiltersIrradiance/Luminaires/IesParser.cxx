@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Luminaires/PhotometricFile.h"
 
-#include "Progress/InputError.h"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -118,13 +116,9 @@ double tiltFactor(
   {
     return factorUntilted(numbers);
   }
-  if (year >= 2019 || name.empty())
-  {
-    text.fail(line,
-      "TILT is \"" + name + "\"; NONE" +
-        (year >= 2019 ? " and INCLUDE are possible in LM-63-2019"
-                      : ", INCLUDE and the name of a file are possible"));
-  }
+  text.failIf(year >= 2019 || name.empty(), line, "TILT is \"", name, "\"; NONE",
+    year >= 2019 ? " and INCLUDE are possible in LM-63-2019"
+                 : ", INCLUDE and the name of a file are possible");
   std::string bytes;
   try
   {
@@ -132,7 +126,7 @@ double tiltFactor(
   }
   catch (const InputError& error)
   {
-    text.fail(line, std::string("TILT: ") + error.what());
+    text.failIf(true, line, "TILT: ", error.what());
   }
   const PhotometricText tilt(text.fileName() + ", TILT=" + name, bytes);
   NumberReader tiltNumbers(tilt, 0, kIesSeparators);
@@ -157,16 +151,14 @@ StoredAngles aroundTypeC(const NumberReader& numbers, const std::vector<double>&
       around.mirrorAtLast();
     }
   }
-  else if (first == 0 && last > 180 &&
-    (gap == 0 || std::abs(gap - angles[1]) < kSame ||
-      std::abs(gap - (last - *(angles.end() - 2))) < kSame))
-  {
-    around.closeIfOpen();
-  }
   else
   {
-    numbers.fail("the horizontal angles go from " + text(first) + " to " + text(last) +
+    const bool isClosing = gap == 0 || std::abs(gap - angles[1]) < kSame ||
+      std::abs(gap - (last - *(angles.end() - 2))) < kSame;
+    numbers.failIf(!(first == 0 && last > 180 && isClosing), "the horizontal angles go from ",
+      first, " to ", last,
       "; possible are 0 to 90, 180, 360 or one step less, 90 to 270, and one angle alone");
+    around.closeIfOpen();
   }
   return around;
 }
@@ -209,11 +201,8 @@ IntensityTable readTable(
   const Range h = isB ? half : isC ? Range{ 0, 360 } : turn;
   const std::vector<double> horizontal =
     numbers.nextAngles("horizontal angle", planes, h.first, h.second, isB);
-  if (rows < 2 || (planes < 2 && !isC))
-  {
-    numbers.fail("there are " + std::to_string(rows) + " vertical and " + std::to_string(planes) +
-      " horizontal angles; " + (isC ? "two and one" : "two and two") + " at least are needed");
-  }
+  numbers.failIf(rows < 2 || (planes < 2 && !isC), "there are ", rows, " vertical and ", planes,
+    " horizontal angles; ", isC ? "two and one" : "two and two", " at least are needed");
   const StoredAngles around = isC ? aroundTypeC(numbers, horizontal) : acrossZero(horizontal);
   const std::vector<double> values = numbers.lastValues("candela value", rows, planes);
   if (isC)
@@ -236,11 +225,8 @@ LuminousOpening readOpening(NumberReader& numbers, int year)
   const double width = numbers.next("width") * metre, length = numbers.next("length") * metre,
                height = numbers.next("height") * metre;
   const std::optional<LuminousOpening> opening = iesOpening(year, width, length, height);
-  if (!opening)
-  {
-    numbers.fail("no luminous opening has the signs of width " + text(width) + ", length " +
-      text(length) + " and height " + text(height) + " m");
-  }
+  numbers.failIf(!opening, "no luminous opening has the signs of width ", width, ", length ",
+    length, " and height ", height, " m");
   return *opening;
 }
 
