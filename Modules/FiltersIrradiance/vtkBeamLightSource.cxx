@@ -138,9 +138,8 @@ void vtkBeamLightSource::CheckProperties() const
     checkWithin("BeamAngle", this->BeamAngle, 0.01, 179.9);
     irradiance::throwIf(
       this->FieldAngle != 0 && !(this->FieldAngle > this->BeamAngle && this->FieldAngle <= 180),
-      "FieldAngle is " + irradiance::text(this->FieldAngle) +
-        "; it has to be more than BeamAngle, " + irradiance::text(this->BeamAngle) +
-        ", to 180, or 0");
+      "FieldAngle is ", this->FieldAngle, "; it has to be more than BeamAngle, ", this->BeamAngle,
+      ", to 180, or 0");
   }
   for (int i = 0; i < 3; ++i)
   {

@@ -26,12 +26,11 @@ namespace
 double WattsOf(const irradiance::PhotometricFile& file, const char* name, double efficacy)
 {
   constexpr double most = 683.002; // lm/W, by the definition of the lumen, at 555 nm
-  irradiance::throwIf(!(efficacy >= 0 && efficacy <= most),
-    "LuminousEfficacy is " + irradiance::text(efficacy) + "; 0 to 683.002 lm/W are possible");
-  irradiance::throwIf(!file.isRadiometric() && efficacy == 0,
-    std::string(name) +
-      " gives candela; set LuminousEfficacy, the lumens in a watt of the lamp's light (some 300 "
-      "for white LEDs, 683 at 555 nm)");
+  irradiance::throwIf(!(efficacy >= 0 && efficacy <= most), "LuminousEfficacy is ", efficacy,
+    "; 0 to 683.002 lm/W are possible");
+  irradiance::throwIf(!file.isRadiometric() && efficacy == 0, name,
+    " gives candela; set LuminousEfficacy, the lumens in a watt of the lamp's light (some 300 for "
+    "white LEDs, 683 at 555 nm)");
   return file.isRadiometric() ? 1 : 1 / efficacy;
 }
 

@@ -37,9 +37,7 @@ struct Daylight
 double IrradianceIn(const irradiance::CommaTable& table, const std::string& column)
 {
   const double value = table.value(column);
-  irradiance::throwIf(value < 0,
-    table.where() + ", column " + column + ": " + irradiance::text(value) +
-      " W/m2; it has to be 0 or more");
+  table.failIf(value < 0, ", column ", column, ": ", value, " W/m2; it has to be 0 or more");
   return value;
 }
 
@@ -96,7 +94,7 @@ public:
       const std::string given = s->DateTime ? s->DateTime : "";
       const auto clock = irradiance::parseTime(given);
       irradiance::throwIf(
-        !clock, "DateTime is \"" + given + "\"; it has to be a time such as 2024-06-21 12:00");
+        !clock, "DateTime is \"", given, "\"; it has to be a time such as 2024-06-21 12:00");
       this->PlaceSun(*clock, light);
     }
     return light;
@@ -149,10 +147,9 @@ public:
     }
     irradiance::SkyTable sky = irradiance::skyTable(shape, sun, light.DiffuseHorizontal);
     irradiance::throwIf(!sky.note.empty() && light.Where.empty(),
-      "SkyModel Perez has no sky for DirectNormalIrradiance " + irradiance::text(direct) +
-        ", DiffuseHorizontalIrradiance " + irradiance::text(light.DiffuseHorizontal) +
-        " and the sun at an altitude of " + irradiance::text(sun.altitude) +
-        " degrees: " + sky.note + "; choose a CIE sky");
+      "SkyModel Perez has no sky for DirectNormalIrradiance ", direct,
+      ", DiffuseHorizontalIrradiance ", light.DiffuseHorizontal, " and the sun at an altitude of ",
+      sun.altitude, " degrees: ", sky.note, "; choose a CIE sky");
     if (light.Sun.altitude < 0 && light.DiffuseHorizontal > 0)
     {
       sky.note += (sky.note.empty() ? "" : "; ") + std::string("the sun is below the horizon");
@@ -179,17 +176,16 @@ private:
     {
       const std::string& time = table.cell("time");
       const auto clock = irradiance::parseTime(time);
-      irradiance::throwIf(!clock,
-        table.where() + ", column time: \"" + time + "\" is no time such as 2024-06-21 12:00");
+      table.failIf(!clock, ", column time: \"", time, "\" is no time such as 2024-06-21 12:00");
       first = this->Rows.empty() ? clock->seconds : first;
-      irradiance::throwIf(!this->Rows.empty() && clock->seconds - first <= this->Steps.back(),
-        table.where() + ": the time " + time + " is not after that of the row before");
+      table.failIf(!this->Rows.empty() && clock->seconds - first <= this->Steps.back(),
+        ": the time ", time, " is not after that of the row before");
       this->Steps.push_back(clock->seconds - first);
       this->Rows.push_back({ table.where(), this->Steps.back(), IrradianceIn(table, "dni"),
         IrradianceIn(table, "dhi"), {} });
       this->PlaceSun(*clock, this->Rows.back());
     }
-    irradiance::throwIf(this->Rows.empty(), "the file " + fileName + " has no row of weather");
+    irradiance::throwIf(this->Rows.empty(), "the file ", fileName, " has no row of weather");
   }
 
   void PlaceSun(const irradiance::ClockTime& local, Daylight& light) const

@@ -62,10 +62,9 @@ inline std::vector<double> columnOf(
   const std::string& where, vtkFieldData* fields, const char* name, const std::string& missing)
 {
   vtkDataArray* const array = fields->GetArray(name);
-  throwIf(!array, where + missing);
-  throwIf(array->GetNumberOfComponents() != 1,
-    where + ": the field-data array " + name + " has " +
-      std::to_string(array->GetNumberOfComponents()) + " components; 1 is possible");
+  throwIf(!array, where, missing);
+  throwIf(array->GetNumberOfComponents() != 1, where, ": the field-data array ", name, " has ",
+    array->GetNumberOfComponents(), " components; 1 is possible");
   std::vector<double> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
   for (std::size_t i = 0; i < values.size(); ++i)
   {

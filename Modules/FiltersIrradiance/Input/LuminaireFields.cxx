@@ -39,9 +39,10 @@ void addFace(const Triangle& triangle, std::vector<Vector3>& faces)
   same != faces.end() ? void(*same += area) : faces.push_back(area);
 }
 
-[[noreturn]] void failAt(const LuminaireFields& fields, vtkIdType cell, const std::string& what)
+template <class... Parts>
+void failIf(bool isWrong, const LuminaireFields& fields, vtkIdType cell, const Parts&... parts)
 {
-  throw InputError(fields.where + ", cell " + std::to_string(cell) + ": " + what);
+  throwIf(isWrong, fields.where, ", cell ", cell, ": ", parts...);
 }
 
 Vector3 vectorOf(
@@ -52,17 +53,12 @@ Vector3 vectorOf(
   {
     return usual;
   }
-  if (array->GetNumberOfComponents() != 3 || array->GetNumberOfTuples() <= cell)
-  {
-    failAt(fields, cell,
-      std::string("the cell array ") + name + " has no vector of 3 components for it");
-  }
+  failIf(array->GetNumberOfComponents() != 3 || array->GetNumberOfTuples() <= cell, fields, cell,
+    "the cell array ", name, " has no vector of 3 components for it");
   Vector3 vector;
   array->GetTuple(cell, vector.data());
-  if (!vector.allFinite() || vector.isZero(0))
-  {
-    failAt(fields, cell, std::string("its ") + name + " is not a direction");
-  }
+  failIf(
+    !vector.allFinite() || vector.isZero(0), fields, cell, "its ", name, " is not a direction");
   return vector;
 }
 
@@ -73,10 +69,8 @@ Luminaire lampOf(const LuminaireFields& fields, vtkIdType cell)
   const Vector3 given = vectorOf(fields, "LampReference", cell, Vector3::UnitX()).normalized();
   const Vector3 across = given - axis.dot(given) * axis;
   constexpr double kAlong = 1e-3; // rounding, and no more, may bring them off the right angle
-  if (!(std::abs(axis.dot(given)) <= kAlong))
-  {
-    failAt(fields, cell, "its LampReference is not across its LampAxis");
-  }
+  failIf(!(std::abs(axis.dot(given)) <= kAlong), fields, cell,
+    "its LampReference is not across its LampAxis");
   return { fields.intensity, axis, across.normalized(), fields.flux, {} };
 }
 
@@ -90,12 +84,8 @@ int idOf(const LuminaireFields& fields, vtkIdType cell)
 void checkReach(const LuminaireFields& fields, const Luminaire& lamp, vtkIdType cell)
 {
   constexpr std::size_t kMostFaces = 1024;
-  if (lamp.faces.size() > kMostFaces)
-  {
-    failAt(fields, cell,
-      "its luminaire has faces that look into " + std::to_string(lamp.faces.size()) +
-        " directions; " + std::to_string(kMostFaces) + " are possible");
-  }
+  failIf(lamp.faces.size() > kMostFaces, fields, cell, "its luminaire has faces that look into ",
+    lamp.faces.size(), " directions; ", kMostFaces, " are possible");
   double behind = 0;
   const Vector3 third = lamp.reference.cross(lamp.axis);
   lamp.intensity->forEachPart([&](const Vector3& local, double weight) {
@@ -105,13 +95,9 @@ void checkReach(const LuminaireFields& fields, const Luminaire& lamp, vtkIdType 
     behind += isLit ? 0 : weight;
   });
   constexpr double kMostBehind = 1e-3;
-  if (const double part = behind / lamp.intensity->integral(); part > kMostBehind)
-  {
-    failAt(fields, cell,
-      text(100 * part) +
-        " % of the light of its table would leave behind the opening; no face "
-        "looks there");
-  }
+  const double part = behind / lamp.intensity->integral();
+  failIf(part > kMostBehind, fields, cell, 100 * part,
+    " % of the light of its table would leave behind the opening; no face looks there");
 }
 
 }
@@ -131,8 +117,8 @@ std::optional<LuminaireFields> readLuminaires(
   }
   const auto columnOf = [&](const char* name) {
     return irradiance::columnOf(where, input->GetFieldData(), name,
-      std::string(": has the field-data array ") + kIntensity + " but not " + name +
-        ", which belongs to it");
+      joined(
+        ": has the field-data array ", kIntensity, " but not ", name, ", which belongs to it"));
   };
   std::vector<double> polar = columnOf(kPolar), azimuths = columnOf(kAzimuths),
                       values = columnOf(kIntensity);
@@ -151,17 +137,16 @@ std::optional<LuminaireFields> readLuminaires(
   throwIf(flux &&
       (flux->GetNumberOfTuples() != 1 ||
         (flux->GetNumberOfComponents() != 1 && flux->GetNumberOfComponents() != 3)),
-    where + ": the field-data array " + kFlux + " is not one tuple of 1 or 3 components");
+    where, ": the field-data array ", kFlux, " is not one tuple of 1 or 3 components");
   for (int band = 0; band < bands; ++band)
   {
     const double watts =
       flux ? flux->GetComponent(0, flux->GetNumberOfComponents() == 1 ? 0 : band) : ofTable;
     constexpr double kBrightest = 1e30;
-    throwIf(!(watts >= 0 && watts <= kBrightest),
-      where + ": the field-data array " + kFlux + " has " + text(watts) + " W, not within 0.." +
-        text(kBrightest));
-    throwIf(watts > 0 && !(ofTable > 0),
-      where + ": is to shine " + text(watts) + " W, but its table " + kIntensity + " is 0");
+    throwIf(!(watts >= 0 && watts <= kBrightest), where, ": the field-data array ", kFlux, " has ",
+      watts, " W, not within 0..", kBrightest);
+    throwIf(watts > 0 && !(ofTable > 0), where, ": is to shine ", watts, " W, but its table ",
+      kIntensity, " is 0");
     fields.flux.push_back(watts);
   }
   return fields;

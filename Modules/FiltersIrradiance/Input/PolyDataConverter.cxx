@@ -46,14 +46,13 @@ public:
     for (vtkCellArray* cells :
       { input_->GetVerts(), input_->GetLines(), input_->GetPolys(), input_->GetStrips() })
     {
-      throwIf(!cells->IsValid(), where_ + ": the offsets of a cell array are not valid");
+      throwIf(!cells->IsValid(), where_, ": the offsets of a cell array are not valid");
     }
     luminaire_ = readLuminaires(where_, input_, bands_);
     for (const MaterialArray light : { Exitance, Flux })
     {
-      throwIf(luminaire_ && arrays_[light],
-        where_ + ": has a table of radiant intensity and a " + kArrayMeanings[light] +
-          "; only one of them can give its light");
+      throwIf(luminaire_ && arrays_[light], where_, ": has a table of radiant intensity and a ",
+        kArrayMeanings[light], "; only one of them can give its light");
     }
     makeRoom();
     const std::size_t firstTriangle = target_.triangles.size();
@@ -99,18 +98,15 @@ private:
     const bool mayHaveThree = number != Exponent;
     const vtkIdType tuples = array->GetNumberOfTuples();
     const int components = array->GetNumberOfComponents();
-    const std::string cells = std::to_string(input_->GetNumberOfCells());
-    const std::string has = where_ + ": the array " +
-      (array->GetName() ? array->GetName() : "(unnamed)") + " (" + kArrayMeanings[number] +
-      ") has ";
-    const std::string shape =
-      "; in NumPy its shape is (" + cells + ",)" + (mayHaveThree ? " or (" + cells + ", 3)" : "");
-    throwIf(tuples != input_->GetNumberOfCells(),
-      has + std::to_string(tuples) + " tuples for " + cells + " cells" + shape);
-    throwIf(components != 1 && !(mayHaveThree && components == 3),
-      has + std::to_string(components) + " components; " +
-        (mayHaveThree ? "1 or 3 are possible" : "1 is possible") + shape +
-        ", and append() repeats an array of any other length in each cell");
+    const vtkIdType cells = input_->GetNumberOfCells();
+    const std::string has = joined(where_, ": the array ",
+      array->GetName() ? array->GetName() : "(unnamed)", " (", kArrayMeanings[number], ") has ");
+    const std::string shape = joined(
+      "; in NumPy its shape is (", cells, ",)", mayHaveThree ? joined(" or (", cells, ", 3)") : "");
+    throwIf(tuples != cells, has, tuples, " tuples for ", cells, " cells", shape);
+    throwIf(components != 1 && !(mayHaveThree && components == 3), has, components, " components; ",
+      mayHaveThree ? "1 or 3 are possible" : "1 is possible", shape,
+      ", and append() repeats an array of any other length in each cell");
   }
 
   void makeRoom()
@@ -234,21 +230,15 @@ private:
       if (arrays_[Specular])
       {
         const double specular = checked("specular reflectance", value(arrays_[Specular], band), 1);
-        if (!(diffuse + specular <= 1 + kRounding))
-        {
-          fail("diffuse reflectance " + text(diffuse) + " and specular reflectance " +
-            text(specular) + " add up to more than 1");
-        }
+        failIf(!(diffuse + specular <= 1 + kRounding), "diffuse reflectance ", diffuse,
+          " and specular reflectance ", specular, " add up to more than 1");
         target_.specular[slotOf(band)] = std::min(specular, 1 - diffuse);
       }
     }
     if (arrays_[Exponent])
     {
       const double exponent = value(arrays_[Exponent], 0);
-      if (!(exponent >= 0))
-      {
-        fail("Phong exponent " + text(exponent) + " is not 0 or more");
-      }
+      failIf(!(exponent >= 0), "Phong exponent ", exponent, " is not 0 or more");
       if (!target_.specular.empty())
       {
         target_.exponents[cellOfTarget()] = exponent;
@@ -258,14 +248,11 @@ private:
 
   void readPoints(vtkIdType count, const vtkIdType* ids)
   {
+    const vtkIdType points = input_->GetNumberOfPoints();
     corners_.resize(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < corners_.size(); ++i)
     {
-      if (ids[i] < 0 || ids[i] >= input_->GetNumberOfPoints())
-      {
-        fail("refers to point " + std::to_string(ids[i]) + " of " +
-          std::to_string(input_->GetNumberOfPoints()));
-      }
+      failIf(ids[i] < 0 || ids[i] >= points, "refers to point ", ids[i], " of ", points);
       Vector3& point = corners_[i];
       input_->GetPoint(ids[i], point.data());
       if (!point.allFinite() || !(point.cwiseAbs().maxCoeff() <= kMostDistant))
@@ -274,7 +261,7 @@ private:
         message << "point " << ids[i]
                 << (point.allFinite() ? " is out of range (" : " is not finite (")
                 << point.transpose() << ")";
-        fail(message.str());
+        failIf(true, message.str());
       }
     }
   }
@@ -283,16 +270,12 @@ private:
   void checkMisplaced() const
   {
     const bool hasSurface = input_->GetNumberOfPolys() + input_->GetNumberOfStrips() > 0;
-    if (fluxElsewhere_.cells > 0 && input_->GetNumberOfVerts() == 0)
-    {
-      failAt(fluxElsewhere_.firstCell,
-        "has a radiant flux but is no vertex; surfaces emit by their radiant exitance, W/m2");
-    }
-    if (exitanceElsewhere_.cells > 0 && !hasSurface)
-    {
-      failAt(exitanceElsewhere_.firstCell,
-        "has a radiant exitance but no surface; vertices emit by their radiant flux, W");
-    }
+    throwIf(fluxElsewhere_.cells > 0 && input_->GetNumberOfVerts() == 0, where_, ", cell ",
+      fluxElsewhere_.firstCell,
+      ": has a radiant flux but is no vertex; surfaces emit by their radiant exitance, W/m2");
+    throwIf(exitanceElsewhere_.cells > 0 && !hasSurface, where_, ", cell ",
+      exitanceElsewhere_.firstCell,
+      ": has a radiant exitance but no surface; vertices emit by their radiant flux, W");
   }
 
   std::vector<InputWarning> warnings() const
@@ -342,17 +325,14 @@ private:
 
   double checked(const char* name, double value, double most, const char* unit = "") const
   {
-    if (!(value >= 0 && value <= most))
-    {
-      fail(std::string(name) + " " + text(value) + unit + " is not within 0.." + text(most));
-    }
+    failIf(!(value >= 0 && value <= most), name, " ", value, unit, " is not within 0..", most);
     return value;
   }
 
-  [[noreturn]] void fail(const std::string& what) const { failAt(cell_, what); }
-  [[noreturn]] void failAt(vtkIdType cell, const std::string& what) const
+  template <class... Parts>
+  void failIf(bool isWrong, const Parts&... parts) const
   {
-    throw InputError(where_ + ", cell " + std::to_string(cell) + ": " + what);
+    throwIf(isWrong, where_, ", cell ", cell_, ": ", parts...);
   }
 
   const std::string& where_;

@@ -44,19 +44,18 @@ public:
     constexpr double kMost = 1e30;
     const double least = areAmounts ? 0 : -kMost;
     vtkDataArray* const array = fields_->GetArray(name);
-    throwIf(!array, where_ + missing(name));
+    throwIf(!array, where_, missing(name));
     const auto components = static_cast<std::size_t>(array->GetNumberOfComponents());
     const std::string what = where_ + ": the field-data array " + name;
     throwIf(
       array->GetNumberOfTuples() != 1 || !(components == size || (areAmounts && components == 1)),
-      what + " is not one tuple of " + std::to_string(size) + " components");
+      what, " is not one tuple of ", size, " components");
     std::vector<double> values;
     for (std::size_t i = 0; i < size; ++i)
     {
       values.push_back(array->GetComponent(0, components == 1 ? 0 : static_cast<int>(i)));
-      throwIf(!(values.back() >= least && values.back() <= kMost),
-        what + " has the value " + text(values.back()) + ", which is not within " + text(least) +
-          ".." + text(kMost));
+      throwIf(!(values.back() >= least && values.back() <= kMost), what, " has the value ",
+        values.back(), ", which is not within ", least, "..", kMost);
     }
     return values;
   }
@@ -79,9 +78,9 @@ bool isDark(const std::vector<double>& values)
 Box withMargin(const std::string& where, Box box)
 {
   constexpr double kMargin = 0.1; // of the diagonal
-  throwIf(box.isEmpty() || !(box.extent().norm() > 0),
-    where + ": has a sky, but nothing static tells where its light is wanted; set " + kSkyBounds +
-      " (Bounds of vtkSunSkySource)");
+  throwIf(box.isEmpty() || !(box.extent().norm() > 0), where,
+    ": has a sky, but nothing static tells where its light is wanted; set ", kSkyBounds,
+    " (Bounds of vtkSunSkySource)");
   box.inflate(kMargin * box.extent().norm());
   return box;
 }
@@ -144,13 +143,12 @@ std::shared_ptr<const Sky> readSky(
     {
       const std::vector<double> towards = fields.tuple(kSunDirection, 3);
       sky.towardsSun = Vector3(towards[0], towards[1], towards[2]).normalized();
-      throwIf(!(sky.towardsSun.norm() > 0.5), where + ": SunDirection is no direction");
+      throwIf(!(sky.towardsSun.norm() > 0.5), where, ": SunDirection is no direction");
       constexpr double kWidest = 45; // degrees
       const double degrees =
         fields.has(kSunAngularRadius) ? fields.tuple(kSunAngularRadius, 1, true).front() : 0;
-      throwIf(!(degrees <= kWidest),
-        where + ": SunAngularRadius is " + text(degrees) + " degrees; at most " + text(kWidest) +
-          " are possible");
+      throwIf(!(degrees <= kWidest), where, ": SunAngularRadius is ", degrees, " degrees; at most ",
+        kWidest, " are possible");
       sky.sunRadius = degrees * kPi / 180;
     }
   }
@@ -162,9 +160,8 @@ std::shared_ptr<const Sky> readSky(
   {
     const std::vector<double> bounds = fields.tuple(kSkyBounds, 6);
     sky.lit = { { bounds[0], bounds[2], bounds[4] }, { bounds[1], bounds[3], bounds[5] } };
-    throwIf(!(sky.lit.extent().minCoeff() > 0),
-      where + ": the field-data array " + kSkyBounds +
-        " is not xmin xmax ymin ymax zmin zmax of a box");
+    throwIf(!(sky.lit.extent().minCoeff() > 0), where, ": the field-data array ", kSkyBounds,
+      " is not xmin xmax ymin ymax zmin zmax of a box");
   }
   else
   {
