@@ -3,7 +3,6 @@
 
 #include "Sampling/ElementaryFunctions.h"
 
-#include <algorithm>
 #include <functional>
 #include <limits>
 #include <map>

@@ -2,7 +2,6 @@
 #include "Views/OutgoingRadiance.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace irradiance
 {

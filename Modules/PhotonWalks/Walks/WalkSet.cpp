@@ -3,12 +3,10 @@
 
 #include "Shooting/StoredRays.h"
 
-#include <algorithm>
 #include <iterator>
 #include <mutex>
 #include <numeric>
 #include <optional>
-#include <utility>
 
 namespace irradiance
 {
