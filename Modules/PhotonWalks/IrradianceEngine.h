@@ -111,8 +111,6 @@ public:
   const SceneObjects& objects() const { return frame_.objects; }
   const SceneCells& cells() const { return frame_.cells; }
   const Scene& scene() const { return frame_.scene; }
-  /// Walks stay inside, except where they escape.
-  Box walkBounds() const { return walks_.bounds(scene()); }
   const EngineSettings& settings() const { return settings_; }
   bool storesWalks() const { return irradiance::storesWalks(objects(), settings_); }
   /// Collects the photons of the history, unless that was done before; then updates keep them up to

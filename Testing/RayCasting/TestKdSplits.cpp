@@ -32,7 +32,7 @@ TEST(KdItem, RoundsOutwardsToTheNextFloat)
   for (int i = 0; i < 10000; ++i)
   {
     const Vector3 point = random.powerOfTwo(-50, 50) * random.inCube();
-    const KdItem item = KdItem::of(0, { point, point });
+    const KdItem item{ KdBounds({ point, point }), 0 };
     for (int axis = 0; axis < 3; ++axis)
     {
       const float lower = item.lower[axis], upper = item.upper[axis];

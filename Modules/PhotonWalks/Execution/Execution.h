@@ -177,10 +177,9 @@ private:
   double items_ = 0;
 };
 
-/// Works on units with the threads of an execution, cut into slices of 30 ms, between which it
-/// reports progress from 0 to 1 and may be interrupted. The result does not depend on the cuts.
-/// `work` works on a unit until it is done or its slice is over; returns whether it is done. Throws
-/// Interrupted, and what `work` throws.
+/// Works on units with the threads of an execution, in slices of 30 ms, between which it reports
+/// progress from 0 to 1. The result does not depend on the cuts. `work` returns whether a unit is
+/// done, or its slice was over before. Throws Interrupted, and what `work` throws.
 void runSliced(std::size_t units, Execution& execution,
   const std::function<bool(std::size_t unit, const std::function<bool()>& hasToStop)>& work);
 

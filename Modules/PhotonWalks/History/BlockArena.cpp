@@ -9,13 +9,6 @@
 namespace irradiance
 {
 
-namespace
-{
-
-constexpr std::size_t kFirstSlab = std::size_t{ 1 } << 14, kLargestSlab = std::size_t{ 1 } << 22;
-
-}
-
 BlockArena::BlockArena(std::size_t pageBytes)
   : pageBytes_((pageBytes + kAlignment - 1) / kAlignment * kAlignment)
 {
@@ -65,6 +58,7 @@ void BlockArena::giveBack(void* page) noexcept
 /// rarely.
 void BlockArena::addSlab()
 {
+  constexpr std::size_t kFirstSlab = std::size_t{ 1 } << 14, kLargestSlab = std::size_t{ 1 } << 22;
   const std::size_t wanted = std::clamp(bytes_ / 16, kFirstSlab, kLargestSlab);
   const std::size_t size = std::max<std::size_t>(wanted / pageBytes_, 1) * pageBytes_;
   slabs_.reserve(slabs_.size() + 1);

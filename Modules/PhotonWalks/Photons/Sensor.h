@@ -46,11 +46,9 @@ struct Sensor
  * Which sides of the triangles of an object face the same way as a sensor: those whose world
  * normals are within 45.6 degrees of its own. Photons on such sides count, and so does their area.
  *
- * The angle is as wide as it can be without counting surface that a user would not expect. A point
- * normal of a mesh, averaged over the two walls of a right-angled edge (cosine .707), faces as both
- * do. The walls of a hexagonal room (.5) do not count for each other, nor do those that meet at
- * right angles, nor the two sides of a sheet. Few photons of a small round object are then lost to
- * its sensors, so that they need not look for others far away.
+ * The angle is as wide as it can be without counting surface that a user would not expect, so
+ * few photons of small round objects are lost: a point normal averaged over the two walls of a
+ * right-angled edge (cosine .707) faces as both, but no wall of a hexagonal room (.5) as the next.
  */
 class Facing
 {

@@ -101,13 +101,9 @@ void StaleWalks::add(
       ++old;
     }
     const Power carried = history.power(first);
-    StaleMark mark{};
-    mark.walk = first.walk;
-    mark.bounce = first.bounce & 0x1fffffu;
-    mark.powerClass = powerClassOf(carried) & 0x7ffu;
-    mark.gain = gainOf(first.walk, first.bounce, carried);
-    marks.push_back(mark);
-    blocks_[block].power.add(carried, mark.gain, 1);
+    marks.push_back({ first.walk, first.bounce & 0x1fffffu, powerClassOf(carried) & 0x7ffu,
+      gainOf(first.walk, first.bounce, carried) });
+    blocks_[block].power.add(carried, marks.back().gain, 1);
     tally(history, marks.back(), end, 1, deposits);
   }
   marks.insert(marks.end(), old, before.end());

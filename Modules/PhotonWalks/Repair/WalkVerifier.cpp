@@ -6,16 +6,6 @@
 namespace irradiance
 {
 
-namespace
-{
-
-HiddenHit hitOf(const WalkFront& rows, std::size_t row)
-{
-  return { rows.distance[row], rows.hit[row], { rows.weightB[row], rows.weightC[row] } };
-}
-
-}
-
 WalkVerifier::WalkVerifier(const WalkTracer& tracer, const WalkHistory& history,
   const std::vector<bool>& moved, const BounceScan& scan, bool cachesStaticHits)
   : tracer_(tracer)
@@ -223,7 +213,8 @@ void WalkVerifier::castBlocked(Memory& memory, bool byAllDynamic) const
   {
     if (!isDynamic(rows.hit[row]))
     {
-      memory.blocked.known[row] = hitOf(rows, row);
+      memory.blocked.known[row] = { rows.distance[row], rows.hit[row],
+        { rows.weightB[row], rows.weightC[row] } };
     }
   }
   byAllDynamic ? tracer_.castDynamic(rows, memory.cast) : tracer_.castMoved(rows, memory.cast);

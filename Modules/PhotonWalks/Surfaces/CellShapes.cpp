@@ -7,14 +7,6 @@
 namespace irradiance
 {
 
-namespace
-{
-
-/// The exponent of a lobe that is as good as a mirror: half of it is within 2 degrees.
-constexpr double kSharp = 1000;
-
-}
-
 Triangle triangleOf(const SceneTriangles& triangles, std::uint32_t number)
 {
   const SurfaceRecord& record = triangles.records()[number];
@@ -26,6 +18,8 @@ CellShapes::CellShapes(
   const Frame& frame, std::uint32_t first, std::uint32_t end, const CancelPoint& cancelPoint)
   : numbers_(frame.objects)
 {
+  // The exponent of a lobe that is as good as a mirror: half of it is within 2 degrees.
+  constexpr double kSharp = 1000;
   ThrottledCancelPoint pace(cancelPoint);
   sortTriangles(frame.objects, frame.triangles, first, end, pace);
   shapes_.reserve(numbers_.size());

@@ -41,14 +41,7 @@ struct Power
     }
     return *this;
   }
-  Power& operator-=(const Power& other)
-  {
-    for (int band = 0; band < kMaxBands; ++band)
-    {
-      (*this)[band] -= other[band];
-    }
-    return *this;
-  }
+  Power& operator-=(const Power& other) { return *this += std::int64_t{ -1 } * other; }
   friend Power operator*(std::int64_t times, Power power)
   {
     for (std::int64_t& quanta : power.quanta)

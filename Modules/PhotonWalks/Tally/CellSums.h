@@ -134,7 +134,8 @@ public:
   /// Likewise, in the first `rounds` rounds.
   double sum(const CellSide& cell, int band, std::size_t rounds) const
   {
-    return static_cast<double>(shot(cell, band, rounds)) + gathered(cell, band, rounds);
+    return static_cast<double>(shot(cell, band, rounds)) +
+      overReplicates([&](std::uint32_t i) { return gathered(cell, band, i, rounds); });
   }
   /// The part of one replicate.
   double sum(const CellSide& cell, int band, std::uint32_t replicate, std::size_t rounds) const
@@ -165,10 +166,6 @@ public:
     });
   }
   /// What the cell gathered.
-  double gathered(const CellSide& cell, int band, std::size_t rounds) const
-  {
-    return overReplicates([&](std::uint32_t i) { return gathered(cell, band, i, rounds); });
-  }
   double gathered(const CellSide& cell, int band, std::uint32_t replicate, std::size_t rounds) const
   {
     return !gathers(cell) ? 0.0 : overSides(cell, [&](const CellSide& side) {

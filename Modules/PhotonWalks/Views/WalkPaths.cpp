@@ -86,7 +86,7 @@ std::vector<std::uint32_t> walksOfAll(const std::vector<std::uint32_t>& own, Ran
 WalkPaths::WalkPaths(const IrradianceEngine& engine)
   : engine_(engine)
   , walks_(engine.walks(), engine.frame())
-  , bounds_(engine.walkBounds())
+  , bounds_(engine.walks().bounds(engine.scene()))
 {
   assert(engine.storesWalks());
   const double diagonal = bounds_.isEmpty() ? 0.0 : bounds_.extent().norm();

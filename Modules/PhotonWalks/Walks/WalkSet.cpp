@@ -11,14 +11,6 @@
 namespace irradiance
 {
 
-namespace
-{
-
-/// Blocks whose walks are shot side by side.
-constexpr std::size_t kBlocksTogether = WalkFront::kUsualSize / WalkPlan::kWalksPerBlock;
-
-}
-
 void WalkSet::setSettings(const WalkSettings& settings)
 {
   if (settings_.cacheStaticHits && !settings.cacheStaticHits)
@@ -112,6 +104,7 @@ void WalkSet::beginRound(bool isStored, const Frame& frame, Execution& execution
 void WalkSet::shootBlocks(
   const WalkRound& walks, bool isStored, const Frame& frame, Execution& execution)
 {
+  constexpr std::size_t kBlocksTogether = WalkFront::kUsualSize / WalkPlan::kWalksPerBlock;
   const SobolSequence samples = this->samples();
   const WalkTracer tracer = this->tracer(frame, samples);
   std::mutex mutex;

@@ -18,14 +18,6 @@ constexpr double kThinnest = 0x1p-20;         // of the longest semi-axis, see r
 constexpr double kLargestRadius = 16.0;       // it is about 1
 constexpr double kUnderflowLength = 0x1p-500; // pays for products that underflow
 
-Box allOfSpace()
-{
-  Box box;
-  box.add(Vector3::Constant(-kInfinity));
-  box.add(Vector3::Constant(kInfinity));
-  return box;
-}
-
 /// Bounds |shape^-1 * y - inverse * y| for |y| <= 1, divided by |inverse|; infinite if unknown.
 double relativeInverseError(const Matrix3& shape, const Matrix3& inverse)
 {
@@ -142,7 +134,7 @@ EllipsoidBound::EllipsoidBound(const EnclosingEllipsoid& ellipsoid, const Box& m
   worldBox_ = boxOfModelBox(modelBox, worldFromObject);
   if (!body.isKnown() || !std::isfinite(worldPad) || worldBox_.isEmpty())
   {
-    worldBox_ = allOfSpace();
+    worldBox_ = { Vector3::Constant(-kInfinity), Vector3::Constant(kInfinity) };
     return;
   }
   worldBox_ = padded(worldBox_.intersection(boxAround(body)), worldPad);

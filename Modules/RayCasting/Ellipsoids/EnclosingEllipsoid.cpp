@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -242,10 +243,7 @@ EnclosingEllipsoid proposeEllipsoid(
   if (points.size() <= kFewPoints)
   {
     active.resize(points.size());
-    for (std::size_t i = 0; i < active.size(); ++i)
-    {
-      active[i] = i;
-    }
+    std::iota(active.begin(), active.end(), std::size_t{ 0 });
   }
   for (int round = 0;; ++round)
   {

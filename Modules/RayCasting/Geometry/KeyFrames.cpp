@@ -114,11 +114,6 @@ KeyFrames::Parts KeyFrames::partsOf(const KeyFrame& key)
   return parts;
 }
 
-AffineMap KeyFrames::composed(const Parts& parts)
-{
-  return { parts.rotation.toRotationMatrix() * parts.scale.asDiagonal(), parts.position };
-}
-
 std::vector<double> KeyFrames::steps(int parts) const
 {
   const double longest =
@@ -157,7 +152,8 @@ AffineMap KeyFrames::at(double time) const
   const bool onlyMoves = interpolation_ == KeyInterpolation::Linear
     ? before == keys_[i + 1].worldFromObject.linear
     : onlyMove_;
-  return onlyMoves ? AffineMap{ before, parts.position } : composed(parts);
+  return { onlyMoves ? before : parts.rotation.toRotationMatrix() * parts.scale.asDiagonal(),
+    parts.position };
 }
 
 KeyFrames::Parts KeyFrames::linear(std::size_t i, double fraction) const

@@ -60,7 +60,6 @@ private:
   };
 
   static Parts partsOf(const KeyFrame& key);
-  static AffineMap composed(const Parts& parts);
   Parts linear(std::size_t key, double fraction) const;
   Parts spline(std::size_t key, double fraction) const;
 

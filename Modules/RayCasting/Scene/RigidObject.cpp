@@ -19,8 +19,7 @@ EnclosingEllipsoid enclose(const TriangleMesh& mesh, const CancelPoint& cancelPo
     points.insert(points.end(), { triangle.a, triangle.b, triangle.c });
     pace.step();
   }
-  return points.empty() ? EnclosingEllipsoid{ Vector3::Zero(), Matrix3::Identity() }
-                        : encloseByEllipsoid(points, cancelPoint);
+  return points.empty() ? EnclosingEllipsoid() : encloseByEllipsoid(points, cancelPoint);
 }
 
 }
@@ -29,8 +28,7 @@ RigidObject::RigidObject(TriangleMesh mesh, const CancelPoint& cancelPoint, bool
   : mesh_(std::move(mesh))
   , tree_(treeOf(mesh_.triangles(), cancelPoint))
   , detailTrees_(mayMove ? std::vector<TriangleTree>() : detailTreesOf(mesh_, cancelPoint))
-  , ellipsoid_(mayMove ? enclose(mesh_, cancelPoint)
-                       : EnclosingEllipsoid{ Vector3::Zero(), Matrix3::Identity() })
+  , ellipsoid_(mayMove ? enclose(mesh_, cancelPoint) : EnclosingEllipsoid())
 {
 }
 

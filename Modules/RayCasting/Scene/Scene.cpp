@@ -89,16 +89,6 @@ Scene::Scene()
 {
 }
 
-void Scene::setStatic(std::shared_ptr<const RigidObject> body)
-{
-  static_ = std::move(body);
-}
-
-void Scene::setDynamic(const std::vector<PlacedBody>& objects)
-{
-  objects_ = objects;
-}
-
 void Scene::commit(const std::vector<bool>& moved, const CancelPoint& cancelPoint)
 {
   bounds_ = static_->mesh().bounds();

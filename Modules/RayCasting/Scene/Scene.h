@@ -11,6 +11,7 @@
 #include "Scene/TriangleNumbers.h"
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace irradiance
@@ -37,8 +38,8 @@ public:
   Scene();
 
   void setTraversalMode(TraversalMode mode) { mode_ = mode; }
-  void setStatic(std::shared_ptr<const RigidObject> body);
-  void setDynamic(const std::vector<PlacedBody>& objects);
+  void setStatic(std::shared_ptr<const RigidObject> body) { static_ = std::move(body); }
+  void setDynamic(const std::vector<PlacedBody>& objects) { objects_ = objects; }
   /// Rays may also start within these bounds, off all surfaces.
   void setPointSources(const Box& bounds) { pointSources_ = bounds; }
   /// Rebuilds the trees that depend on poses. `moved[i]` says whether FrontCast::castMoved()

@@ -75,10 +75,6 @@ struct alignas(16) KdItem : KdBounds
 {
   std::uint32_t primitive;
 
-  static KdItem of(std::uint32_t primitive, const Box& bounds)
-  {
-    return { KdBounds(bounds), primitive };
-  }
   /// The bounds rounded to the nearest floats.
   static KdItem nearest(std::uint32_t primitive, const Box& bounds)
   {

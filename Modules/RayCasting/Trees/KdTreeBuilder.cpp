@@ -41,7 +41,7 @@ public:
     {
       pace_.step();
       const KdItem item = config_.roundsToNearest ? KdItem::nearest(i, primitives_[i].bounds)
-                                                  : KdItem::of(i, primitives_[i].bounds);
+                                                  : KdItem{ KdBounds(primitives_[i].bounds), i };
       if (!item.isEmpty())
       {
         items_.push_back(item);
@@ -180,7 +180,7 @@ private:
       wider.inflate(pad);
       Box bounds = boundsOfClipped(*primitive.triangle, wider);
       bounds.inflate(pad);
-      part.intersect(KdItem::of(item.primitive, bounds));
+      part.intersect(KdBounds(bounds));
     }
     return part;
   }

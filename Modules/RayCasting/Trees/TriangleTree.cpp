@@ -11,14 +11,6 @@
 namespace irradiance
 {
 
-namespace
-{
-
-/// The condition number of a rotation is at most 3.
-constexpr double kMostConditionNumber = 4;
-
-}
-
 /// Collapses a binary tree into treelets and blocks.
 class TriangleTree::Packing
 {
@@ -244,7 +236,7 @@ private:
 
 TriangleTree::TriangleTree(const std::vector<Triangle>& triangles, const std::vector<double>& blurs,
   double conditionNumber, const CancelPoint& cancelPoint)
-  : isIllConditioned_(conditionNumber > kMostConditionNumber)
+  : isIllConditioned_(conditionNumber > 4) // of a rotation it is at most 3
 {
   ThrottledCancelPoint pace(cancelPoint);
   Box box; // includes the blurs, which may dominate, so that distances in the frame stay small
