@@ -46,11 +46,6 @@ double IrradianceIn(const irradiance::CommaTable& table, const std::string& colu
 class vtkSunSkySource::vtkInternals
 {
 public:
-  explicit vtkInternals(vtkSunSkySource* source)
-    : Source(source)
-  {
-  }
-
   void Update()
   {
     if (this->ReadTime == this->Source->GetMTime())
@@ -184,9 +179,12 @@ public:
     return sky;
   }
 
-  std::string Error; ///< why there is no series
+  vtkSunSkySource* Source;
+  std::string Error{}; ///< why there is no series
   bool HasSeries = false;
-  std::vector<double> Steps; ///< times of the rows, seconds since the first
+  std::vector<double> Steps{}; ///< times of the rows, seconds since the first
+  std::vector<Daylight> Rows{};
+  vtkMTimeType ReadTime = 0;
 
 private:
   void ReadWeather(const std::string& fileName)
@@ -216,14 +214,10 @@ private:
       this->Source->Latitude, this->Source->Longitude);
     light.DistanceFactor = irradiance::distanceFactor(local.dayOfYear);
   }
-
-  vtkSunSkySource* Source;
-  std::vector<Daylight> Rows;
-  vtkMTimeType ReadTime = 0;
 };
 
 vtkSunSkySource::vtkSunSkySource()
-  : Internals(new vtkInternals(this))
+  : Internals(new vtkInternals{ this })
 {
   this->SetNumberOfInputPorts(0);
 }

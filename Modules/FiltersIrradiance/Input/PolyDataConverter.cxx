@@ -22,65 +22,8 @@ namespace irradiance
 namespace
 {
 
-class PolyDataConverter
+struct PolyDataConverter
 {
-public:
-  PolyDataConverter(const std::string& where, vtkPolyData* input,
-    const MaterialArrays<vtkDataArray>& arrays, double defaultReflectance,
-    ConvertedPolyData& target, const CancelPoint& cancelPoint)
-    : where_(where)
-    , input_(input)
-    , arrays_(arrays)
-    , defaultReflectance_(defaultReflectance)
-    , target_(target)
-    , pace_(cancelPoint)
-  {
-  }
-
-  std::vector<InputWarning> convert()
-  {
-    for (std::size_t number = 0; number < arrays_.size(); ++number)
-    {
-      checkArray(number);
-    }
-    for (vtkCellArray* cells :
-      { input_->GetVerts(), input_->GetLines(), input_->GetPolys(), input_->GetStrips() })
-    {
-      throwIf(!cells->IsValid(), where_, ": the offsets of a cell array are not valid");
-    }
-    luminaire_ = readLuminaires(where_, input_, bands_);
-    for (const MaterialArray light : { Exitance, Flux })
-    {
-      throwIf(luminaire_ && arrays_[light], where_, ": has a table of radiant intensity and a ",
-        kArrayMeanings[light], "; only one of them can give its light");
-    }
-    makeRoom();
-    const std::size_t firstTriangle = target_.triangles.size();
-    readPointLights();
-    readLines();
-    readSurfaces(input_->GetPolys(), [this] {
-      if (!triangulate(corners_, target_.triangles))
-      {
-        note(crossed_);
-      }
-    });
-    readSurfaces(input_->GetStrips(), [this] {
-      for (std::size_t i = 0; i + 2 < corners_.size(); ++i)
-      {
-        // Every other triangle of a strip has the opposite orientation.
-        const std::size_t odd = i % 2;
-        target_.triangles.push_back({ corners_[i], corners_[i + 1 + odd], corners_[i + 2 - odd] });
-      }
-    });
-    checkMisplaced();
-    if (luminaire_)
-    {
-      addLuminaires(*luminaire_, firstCell_, firstTriangle, target_);
-    }
-    return warnings();
-  }
-
-private:
   /// Limit beyond which products of powers might not be finite, W/m2, W.
   static constexpr double kBrightest = 1e30;
   /// Rounding may bring reflectances that add up to 1 this far above it.
@@ -88,9 +31,75 @@ private:
   /// As products might vanish, a triangle has no area unless twice its area exceeds this, m2.
   static constexpr double kSmallestArea = 1e-60;
 
+  const std::string& where;
+  vtkPolyData* input;
+  const MaterialArrays<vtkDataArray>& arrays;
+  double defaultReflectance;
+  ConvertedPolyData& target;
+  const CancelPoint& cancelPoint;
+
+  ThrottledCancelPoint pace{ cancelPoint };
+  const int bands = target.material.bands;
+  const std::size_t firstCell = target.material.numberOfCells; ///< in the target
+  vtkUnsignedCharArray* const ghosts = input->GetCellGhostArray();
+  vtkIdType cell = 0; ///< the cell being read, by VTK's number
+  std::optional<LuminaireFields> luminaire{};
+  std::vector<Vector3> corners{};
+  /// Each counts the cells that it is about.
+  InputWarning withoutArea{ where, "have no area", "their irradiance is 0" };
+  InputWarning crossed{ where, "are polygons that cross themselves",
+    "what lies inside is not clear" };
+  InputWarning fluxElsewhere{ where, "have a radiant flux but are no vertices",
+    "it is not read there" };
+  InputWarning exitanceElsewhere{ where, "have a radiant exitance but no surface",
+    "it is not read there" };
+
+  std::vector<InputWarning> convert()
+  {
+    for (std::size_t number = 0; number < arrays.size(); ++number)
+    {
+      checkArray(number);
+    }
+    for (vtkCellArray* cells :
+      { input->GetVerts(), input->GetLines(), input->GetPolys(), input->GetStrips() })
+    {
+      throwIf(!cells->IsValid(), where, ": the offsets of a cell array are not valid");
+    }
+    luminaire = readLuminaires(where, input, bands);
+    for (const MaterialArray light : { Exitance, Flux })
+    {
+      throwIf(luminaire && arrays[light], where, ": has a table of radiant intensity and a ",
+        kArrayMeanings[light], "; only one of them can give its light");
+    }
+    makeRoom();
+    const std::size_t firstTriangle = target.triangles.size();
+    readPointLights();
+    readLines();
+    readSurfaces(input->GetPolys(), [this] {
+      if (!triangulate(corners, target.triangles))
+      {
+        note(crossed);
+      }
+    });
+    readSurfaces(input->GetStrips(), [this] {
+      for (std::size_t i = 0; i + 2 < corners.size(); ++i)
+      {
+        // Every other triangle of a strip has the opposite orientation.
+        const std::size_t odd = i % 2;
+        target.triangles.push_back({ corners[i], corners[i + 1 + odd], corners[i + 2 - odd] });
+      }
+    });
+    checkMisplaced();
+    if (luminaire)
+    {
+      addLuminaires(*luminaire, firstCell, firstTriangle, target);
+    }
+    return warnings();
+  }
+
   void checkArray(std::size_t number) const
   {
-    vtkDataArray* array = arrays_[number];
+    vtkDataArray* array = arrays[number];
     if (!array)
     {
       return;
@@ -98,8 +107,8 @@ private:
     const bool mayHaveThree = number != Exponent;
     const vtkIdType tuples = array->GetNumberOfTuples();
     const int components = array->GetNumberOfComponents();
-    const vtkIdType cells = input_->GetNumberOfCells();
-    const std::string has = joined(where_, ": the array ",
+    const vtkIdType cells = input->GetNumberOfCells();
+    const std::string has = joined(where, ": the array ",
       array->GetName() ? array->GetName() : "(unnamed)", " (", kArrayMeanings[number], ") has ");
     const std::string shape = joined(
       "; in NumPy its shape is (", cells, ",)", mayHaveThree ? joined(" or (", cells, ", 3)") : "");
@@ -111,22 +120,22 @@ private:
 
   void makeRoom()
   {
-    Material& material = target_.material;
-    const auto bands = static_cast<std::size_t>(bands_);
-    material.numberOfCells += static_cast<std::size_t>(input_->GetNumberOfCells());
-    material.reflectance.resize(material.numberOfCells * bands, 0.0);
-    if (arrays_[Exitance] || !target_.emission.exitance.empty())
+    Material& material = target.material;
+    material.numberOfCells += static_cast<std::size_t>(input->GetNumberOfCells());
+    const std::size_t slots = material.numberOfCells * static_cast<std::size_t>(bands);
+    material.reflectance.resize(slots, 0.0);
+    if (arrays[Exitance] || !target.emission.exitance.empty())
     {
-      target_.emission.exitance.resize(material.numberOfCells * bands, 0.0);
+      target.emission.exitance.resize(slots, 0.0);
     }
-    if (!target_.emission.luminaireOfCell.empty())
+    if (!target.emission.luminaireOfCell.empty())
     {
-      target_.emission.luminaireOfCell.resize(material.numberOfCells, Emission::kNone);
+      target.emission.luminaireOfCell.resize(material.numberOfCells, Emission::kNone);
     }
-    if (arrays_[Specular] || !target_.specular.empty())
+    if (arrays[Specular] || !target.specular.empty())
     {
-      target_.specular.resize(material.numberOfCells * bands, 0.0);
-      target_.exponents.resize(material.numberOfCells, kInfinity);
+      target.specular.resize(slots, 0.0);
+      target.exponents.resize(material.numberOfCells, kInfinity);
     }
   }
 
@@ -135,38 +144,38 @@ private:
   void forEachOwnCell(vtkCellArray* cells, const Visit& visit)
   {
     forEachCell(cells, [&](vtkIdType count, const vtkIdType* ids) {
-      pace_.step(static_cast<std::size_t>(count) + 1);
+      pace.step(static_cast<std::size_t>(count) + 1);
       if (!isGhost())
       {
         visit(count, ids);
       }
-      ++cell_;
+      ++cell;
     });
   }
 
   void readPointLights()
   {
-    forEachOwnCell(input_->GetVerts(), [this](vtkIdType count, const vtkIdType* ids) {
-      noteLight(arrays_[Exitance], exitanceElsewhere_);
-      if ((!arrays_[Flux] && !luminaire_) || count == 0)
+    forEachOwnCell(input->GetVerts(), [this](vtkIdType count, const vtkIdType* ids) {
+      noteLight(arrays[Exitance], exitanceElsewhere);
+      if ((!arrays[Flux] && !luminaire) || count == 0)
       {
         return;
       }
       readPoints(count, ids);
       PointSource light{ Vector3::Zero(), {}, static_cast<std::uint32_t>(cellOfTarget()) };
       double total = 0;
-      for (int band = 0; band < bands_; ++band)
+      for (int band = 0; band < bands; ++band)
       {
-        const double flux = luminaire_
-          ? luminaire_->flux[static_cast<std::size_t>(band)]
-          : checked("radiant flux", value(arrays_[Flux], band), kBrightest, " W");
+        const double flux = luminaire
+          ? luminaire->flux[static_cast<std::size_t>(band)]
+          : checked("radiant flux", value(arrays[Flux], band), kBrightest, " W");
         light.flux.push_back(flux / static_cast<double>(count));
         total += flux;
       }
-      for (std::size_t i = 0; total > 0 && i < corners_.size(); ++i)
+      for (std::size_t i = 0; total > 0 && i < corners.size(); ++i)
       {
-        light.position = corners_[i];
-        target_.emission.points.push_back(light);
+        light.position = corners[i];
+        target.emission.points.push_back(light);
       }
     });
   }
@@ -174,9 +183,9 @@ private:
   /// Lines have no surface, but may carry a flux or an exitance.
   void readLines()
   {
-    forEachOwnCell(input_->GetLines(), [this](vtkIdType, const vtkIdType*) {
-      noteLight(arrays_[Flux], fluxElsewhere_);
-      noteLight(arrays_[Exitance], exitanceElsewhere_);
+    forEachOwnCell(input->GetLines(), [this](vtkIdType, const vtkIdType*) {
+      noteLight(arrays[Flux], fluxElsewhere);
+      noteLight(arrays[Exitance], exitanceElsewhere);
     });
   }
 
@@ -186,7 +195,7 @@ private:
   {
     forEachOwnCell(cells, [&](vtkIdType count, const vtkIdType* ids) {
       readPoints(count, ids);
-      const std::size_t first = target_.triangles.size();
+      const std::size_t first = target.triangles.size();
       addTriangles();
       readSurfaceCell(first);
     });
@@ -196,7 +205,7 @@ private:
   /// dropped, as they have no normal.
   void readSurfaceCell(std::size_t firstTriangle)
   {
-    std::vector<Triangle>& triangles = target_.triangles;
+    std::vector<Triangle>& triangles = target.triangles;
     const auto isPoint = [](const Triangle& t) { return !(t.areaVector().norm() > kSmallestArea); };
     triangles.erase(std::remove_if(triangles.begin() + static_cast<std::ptrdiff_t>(firstTriangle),
                       triangles.end(), isPoint),
@@ -204,57 +213,57 @@ private:
     double area = 0;
     for (std::size_t i = firstTriangle; i < triangles.size(); ++i)
     {
-      target_.material.cellOfTriangle.push_back(static_cast<std::uint32_t>(cellOfTarget()));
+      target.material.cellOfTriangle.push_back(static_cast<std::uint32_t>(cellOfTarget()));
       area += triangles[i].areaVector().norm();
     }
     if (!(area > 0))
     {
-      note(withoutArea_);
+      note(withoutArea);
     }
-    noteLight(arrays_[Flux], fluxElsewhere_);
+    noteLight(arrays[Flux], fluxElsewhere);
     readReflectance();
-    for (int band = 0; arrays_[Exitance] && band < bands_; ++band)
+    for (int band = 0; arrays[Exitance] && band < bands; ++band)
     {
-      target_.emission.exitance[slotOf(band)] =
-        checked("radiant exitance", value(arrays_[Exitance], band), kBrightest, " W/m2");
+      target.emission.exitance[slotOf(band)] =
+        checked("radiant exitance", value(arrays[Exitance], band), kBrightest, " W/m2");
     }
   }
 
   void readReflectance()
   {
-    for (int band = 0; band < bands_; ++band)
+    for (int band = 0; band < bands; ++band)
     {
       const double diffuse = checked("diffuse reflectance",
-        arrays_[Reflectance] ? value(arrays_[Reflectance], band) : defaultReflectance_, 1);
-      target_.material.reflectance[slotOf(band)] = diffuse;
-      if (arrays_[Specular])
+        arrays[Reflectance] ? value(arrays[Reflectance], band) : defaultReflectance, 1);
+      target.material.reflectance[slotOf(band)] = diffuse;
+      if (arrays[Specular])
       {
-        const double specular = checked("specular reflectance", value(arrays_[Specular], band), 1);
+        const double specular = checked("specular reflectance", value(arrays[Specular], band), 1);
         failIf(!(diffuse + specular <= 1 + kRounding), "diffuse reflectance ", diffuse,
           " and specular reflectance ", specular, " add up to more than 1");
-        target_.specular[slotOf(band)] = std::min(specular, 1 - diffuse);
+        target.specular[slotOf(band)] = std::min(specular, 1 - diffuse);
       }
     }
-    if (arrays_[Exponent])
+    if (arrays[Exponent])
     {
-      const double exponent = value(arrays_[Exponent], 0);
+      const double exponent = value(arrays[Exponent], 0);
       failIf(!(exponent >= 0), "Phong exponent ", exponent, " is not 0 or more");
-      if (!target_.specular.empty())
+      if (!target.specular.empty())
       {
-        target_.exponents[cellOfTarget()] = exponent;
+        target.exponents[cellOfTarget()] = exponent;
       }
     }
   }
 
   void readPoints(vtkIdType count, const vtkIdType* ids)
   {
-    const vtkIdType points = input_->GetNumberOfPoints();
-    corners_.resize(static_cast<std::size_t>(count));
-    for (std::size_t i = 0; i < corners_.size(); ++i)
+    const vtkIdType points = input->GetNumberOfPoints();
+    corners.resize(static_cast<std::size_t>(count));
+    for (std::size_t i = 0; i < corners.size(); ++i)
     {
       failIf(ids[i] < 0 || ids[i] >= points, "refers to point ", ids[i], " of ", points);
-      Vector3& point = corners_[i];
-      input_->GetPoint(ids[i], point.data());
+      Vector3& point = corners[i];
+      input->GetPoint(ids[i], point.data());
       if (!point.allFinite() || !(point.cwiseAbs().maxCoeff() <= kMostDistant))
       {
         std::ostringstream message;
@@ -269,58 +278,57 @@ private:
   /// An input that gives light to cells of the wrong kind only is an error.
   void checkMisplaced() const
   {
-    const bool hasSurface = input_->GetNumberOfPolys() + input_->GetNumberOfStrips() > 0;
-    throwIf(fluxElsewhere_.cells > 0 && input_->GetNumberOfVerts() == 0, where_, ", cell ",
-      fluxElsewhere_.firstCell,
+    const bool hasSurface = input->GetNumberOfPolys() + input->GetNumberOfStrips() > 0;
+    throwIf(fluxElsewhere.cells > 0 && input->GetNumberOfVerts() == 0, where, ", cell ",
+      fluxElsewhere.firstCell,
       ": has a radiant flux but is no vertex; surfaces emit by their radiant exitance, W/m2");
-    throwIf(exitanceElsewhere_.cells > 0 && !hasSurface, where_, ", cell ",
-      exitanceElsewhere_.firstCell,
+    throwIf(exitanceElsewhere.cells > 0 && !hasSurface, where, ", cell ",
+      exitanceElsewhere.firstCell,
       ": has a radiant exitance but no surface; vertices emit by their radiant flux, W");
   }
 
   std::vector<InputWarning> warnings() const
   {
-    std::vector<InputWarning> warnings{ withoutArea_, crossed_, fluxElsewhere_,
-      exitanceElsewhere_ };
+    std::vector<InputWarning> warnings{ withoutArea, crossed, fluxElsewhere, exitanceElsewhere };
     warnings.erase(std::remove_if(warnings.begin(), warnings.end(),
                      [](const InputWarning& warning) { return warning.cells == 0; }),
       warnings.end());
-    if (arrays_[Exponent] && !arrays_[Specular])
+    if (arrays[Exponent] && !arrays[Specular])
     {
       warnings.push_back(
-        { where_, ": has Phong exponents but no specular reflectance; they are not read" });
+        { where, ": has Phong exponents but no specular reflectance; they are not read" });
     }
     return warnings;
   }
 
   /// Counts the cell being read.
-  void note(InputWarning& odd) const { odd.firstCell = odd.cells++ == 0 ? cell_ : odd.firstCell; }
+  void note(InputWarning& odd) const { odd.firstCell = odd.cells++ == 0 ? cell : odd.firstCell; }
   /// Counts it if an array has a value above 0 there.
   void noteLight(vtkDataArray* array, InputWarning& odd) const
   {
     bool isLight = false;
-    for (int band = 0; array && band < bands_; ++band)
+    for (int band = 0; array && band < bands; ++band)
     {
       isLight = isLight || value(array, band) > 0;
     }
     isLight ? note(odd) : void();
   }
 
-  std::size_t cellOfTarget() const { return firstCell_ + static_cast<std::size_t>(cell_); }
+  std::size_t cellOfTarget() const { return firstCell + static_cast<std::size_t>(cell); }
   std::size_t slotOf(int band) const
   {
-    return cellOfTarget() * static_cast<std::size_t>(bands_) + static_cast<std::size_t>(band);
+    return cellOfTarget() * static_cast<std::size_t>(bands) + static_cast<std::size_t>(band);
   }
 
   bool isGhost() const
   {
     constexpr int kAbsent = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
-    return ghosts_ && (ghosts_->GetValue(cell_) & kAbsent) != 0;
+    return ghosts && (ghosts->GetValue(cell) & kAbsent) != 0;
   }
 
   double value(vtkDataArray* array, int band) const
   {
-    return array->GetComponent(cell_, array->GetNumberOfComponents() == 1 ? 0 : band);
+    return array->GetComponent(cell, array->GetNumberOfComponents() == 1 ? 0 : band);
   }
 
   double checked(const char* name, double value, double most, const char* unit = "") const
@@ -332,29 +340,8 @@ private:
   template <class... Parts>
   void failIf(bool isWrong, const Parts&... parts) const
   {
-    throwIf(isWrong, where_, ", cell ", cell_, ": ", parts...);
+    throwIf(isWrong, where, ", cell ", cell, ": ", parts...);
   }
-
-  const std::string& where_;
-  vtkPolyData* input_;
-  const MaterialArrays<vtkDataArray>& arrays_;
-  double defaultReflectance_;
-  ConvertedPolyData& target_;
-  const int bands_ = target_.material.bands;
-  const std::size_t firstCell_ = target_.material.numberOfCells; ///< in the target
-  vtkUnsignedCharArray* const ghosts_ = input_->GetCellGhostArray();
-  ThrottledCancelPoint pace_;
-  vtkIdType cell_ = 0; ///< the cell being read, by VTK's number
-  std::optional<LuminaireFields> luminaire_;
-  std::vector<Vector3> corners_;
-  /// Each counts the cells that it is about.
-  InputWarning withoutArea_{ where_, "have no area", "their irradiance is 0" };
-  InputWarning crossed_{ where_, "are polygons that cross themselves",
-    "what lies inside is not clear" };
-  InputWarning fluxElsewhere_{ where_, "have a radiant flux but are no vertices",
-    "it is not read there" };
-  InputWarning exitanceElsewhere_{ where_, "have a radiant exitance but no surface",
-    "it is not read there" };
 };
 
 }
@@ -379,7 +366,8 @@ std::vector<InputWarning> convertPolyData(const std::string& where, vtkPolyData*
   const MaterialArrays<vtkDataArray>& arrays, double defaultReflectance, ConvertedPolyData& target,
   const CancelPoint& cancelPoint)
 {
-  return PolyDataConverter(where, input, arrays, defaultReflectance, target, cancelPoint).convert();
+  return PolyDataConverter{ where, input, arrays, defaultReflectance, target, cancelPoint }
+    .convert();
 }
 
 }

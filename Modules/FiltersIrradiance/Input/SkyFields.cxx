@@ -20,19 +20,15 @@ namespace irradiance
 namespace
 {
 
-class SkyFields
+struct SkyFields
 {
-public:
-  SkyFields(const std::string& where, vtkPolyData* input)
-    : where_(where)
-    , fields_(input->GetFieldData())
-  {
-  }
+  const std::string& where;
+  vtkFieldData* arrays;
 
-  bool has(const char* name) const { return fields_->GetArray(name) != nullptr; }
+  bool has(const char* name) const { return arrays->GetArray(name) != nullptr; }
   std::vector<double> column(const char* name) const
   {
-    return columnOf(where_, fields_, name, missing(name));
+    return columnOf(where, arrays, name, missing(name));
   }
 
   /// The one tuple of an array, of this many finite numbers. Amounts are 0 or more, and a single one
@@ -41,10 +37,10 @@ public:
   {
     constexpr double kMost = 1e30;
     const double least = areAmounts ? 0 : -kMost;
-    vtkDataArray* const array = fields_->GetArray(name);
-    throwIf(!array, where_, missing(name));
+    vtkDataArray* const array = arrays->GetArray(name);
+    throwIf(!array, where, missing(name));
     const auto components = static_cast<std::size_t>(array->GetNumberOfComponents());
-    const std::string what = where_ + ": the field-data array " + name;
+    const std::string what = where + ": the field-data array " + name;
     throwIf(
       array->GetNumberOfTuples() != 1 || !(components == size || (areAmounts && components == 1)),
       what, " is not one tuple of ", size, " components");
@@ -58,14 +54,10 @@ public:
     return values;
   }
 
-private:
   static std::string missing(const char* name)
   {
     return std::string(": has a sky, but not the field-data array ") + name;
   }
-
-  const std::string& where_;
-  vtkFieldData* fields_;
 };
 
 bool isDark(const std::vector<double>& values)
@@ -107,7 +99,7 @@ int bandsOfSky(vtkPolyData* input)
 std::shared_ptr<const Sky> readSky(
   const std::string& where, vtkPolyData* input, int bands, const Box& ofStatics)
 {
-  const SkyFields fields(where, input);
+  const SkyFields fields{ where, input->GetFieldData() };
   const auto count = static_cast<std::size_t>(bands);
   Sky sky;
   if (fields.has(kSkyRadiance))

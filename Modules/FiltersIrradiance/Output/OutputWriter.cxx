@@ -152,26 +152,20 @@ void writeBlocks(const SceneInputs& inputs, const MakePart& makePart, vtkMultiBl
   }
 }
 
-class OutputWriter
+struct OutputWriter
 {
-public:
-  OutputWriter(const IrradianceEngine& engine, const SceneReader& scene, bool withErrors,
-    bool withReplicates, const CancelPoint& cancelPoint)
-    : engine_(engine)
-    , scene_(scene)
-    , settings_(engine.settings())
-    , withErrors_(withErrors)
-    , withReplicates_(withReplicates)
-    , cancelPoint_(cancelPoint)
-    , errors_(engine.errorEstimate())
-  {
-  }
+  const IrradianceEngine& engine;
+  const SceneReader& scene;
+  bool withErrors, withReplicates;
+  const CancelPoint& cancelPoint;
+  const EngineSettings& settings = engine.settings();
+  ErrorEstimate errors = engine.errorEstimate();
 
   void write(const SceneInputs& inputs, vtkMultiBlockDataSet* output) const
   {
     std::size_t number = 0;
     const auto makePart = [&](const InputPart& part) {
-      const SceneCell first = scene_.firstCellOf(number++);
+      const SceneCell first = scene.firstCellOf(number++);
       auto polyData = vtkSmartPointer<vtkPolyData>::New();
       polyData->ShallowCopy(part.piece);
       if (first.object > 0)
@@ -190,26 +184,25 @@ public:
     addFieldData(output->GetFieldData());
   }
 
-private:
   void addIrradiance(vtkPolyData* polyData, const PartCells& cells) const
   {
-    int side = settings_.separateSides ? 0 : CellSide::kBoth;
-    for (const char* suffix : suffixesOf(settings_))
+    int side = settings.separateSides ? 0 : CellSide::kBoth;
+    for (const char* suffix : suffixesOf(settings))
     {
       addSide(polyData, suffix, cells, side++);
     }
-    activateIrradiance(polyData, settings_);
+    activateIrradiance(polyData, settings);
   }
 
   /// `suffix`: part of the arrays' names, such as Front.
   void addSide(
     vtkPolyData* polyData, const std::string& suffix, const PartCells& cells, int side) const
   {
-    const int bands = scene_.bands();
+    const int bands = scene.bands();
     const auto add = [&](const std::string& name, int components, const auto& value) {
       const auto array = addArray<vtkDoubleArray>(
         polyData->GetCellData(), name, components, polyData->GetNumberOfCells());
-      ThrottledCancelPoint pace(cancelPoint_);
+      ThrottledCancelPoint pace(cancelPoint);
       for (vtkIdType i = 0; i < polyData->GetNumberOfCells(); ++i)
       {
         pace.step(static_cast<std::size_t>(components));
@@ -221,33 +214,33 @@ private:
       }
     };
     add(irradianceName(suffix), bands,
-      [&](const CellSide& cell, int band) { return engine_.irradiance(cell, band); });
-    if (withErrors_)
+      [&](const CellSide& cell, int band) { return engine.irradiance(cell, band); });
+    if (withErrors)
     {
       constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
       add(standardErrorName(irradianceName(suffix)), bands, [&](const CellSide& cell, int band) {
-        return perArea(cell, unknown, [&] { return errors_.standardError(cell, band); });
+        return perArea(cell, unknown, [&] { return errors.standardError(cell, band); });
       });
     }
-    if (withReplicates_)
+    if (withReplicates)
     {
       add(photonName(suffix), bands, [&](const CellSide& cell, int band) {
-        return perArea(cell, 0, [&] { return errors_.quantaPerPhoton(cell, band); });
+        return perArea(cell, 0, [&] { return errors.quantaPerPhoton(cell, band); });
       });
     }
-    if (withReplicates_ && withErrors_)
+    if (withReplicates && withErrors)
     {
-      add(replicatesName(suffix), static_cast<int>(errors_.replicates()) * bands,
+      add(replicatesName(suffix), static_cast<int>(errors.replicates()) * bands,
         [&](const CellSide& cell, int part) {
           const auto replicate = static_cast<std::uint32_t>(part / bands);
           return perArea(
-            cell, 0, [&] { return errors_.ofReplicate(cell, part % bands, replicate); });
+            cell, 0, [&] { return errors.ofReplicate(cell, part % bands, replicate); });
         });
     }
-    if (settings_.repairTimeBudget > 0)
+    if (settings.repairTimeBudget > 0)
     {
       add(staleName(suffix), bands,
-        [&](const CellSide& cell, int band) { return engine_.staleIrradiance(cell, band); });
+        [&](const CellSide& cell, int band) { return engine.staleIrradiance(cell, band); });
     }
   }
 
@@ -255,38 +248,38 @@ private:
   template <class Quanta>
   double perArea(const CellSide& cell, double otherwise, const Quanta& quanta) const
   {
-    const double area = engine_.cells().area(cell);
-    return area > 0 ? engine_.watts(quanta()) / area : otherwise;
+    const double area = engine.cells().area(cell);
+    return area > 0 ? engine.watts(quanta()) / area : otherwise;
   }
 
   void addFieldData(vtkFieldData* fields) const
   {
     const auto addWatts = [&](const std::string& name, const auto& wattsOf) {
       std::vector<double> watts;
-      for (int band = 0; band < scene_.bands(); ++band)
+      for (int band = 0; band < scene.bands(); ++band)
       {
         watts.push_back(wattsOf(band));
       }
       addTuple<vtkDoubleArray>(fields, name, watts);
     };
     const auto addPower = [&](const char* name, const Power& power) {
-      addWatts(name, [&](int band) { return engine_.watts(power[band]); });
+      addWatts(name, [&](int band) { return engine.watts(power[band]); });
     };
-    const PowerBalance& balance = engine_.balance();
+    const PowerBalance& balance = engine.balance();
     // The integers balance; so that the rounded watts do too, they are added.
     addWatts(kEmittedPower, [&](int band) {
-      return engine_.watts(balance.absorbed[band]) + engine_.watts(balance.escaped[band]);
+      return engine.watts(balance.absorbed[band]) + engine.watts(balance.escaped[band]);
     });
     addPower(kAbsorbedPower, balance.absorbed);
     addPower(kEscapedPower, balance.escaped);
     for (const char* name : { kAbsorbedPower, kEscapedPower })
     {
-      addWatts(standardErrorName(name), [&](int band) { return engine_.escapedError(band); });
+      addWatts(standardErrorName(name), [&](int band) { return engine.escapedError(band); });
     }
-    addPower(kStalePower, engine_.stalePower());
-    if (settings_.repairTimeBudget > 0)
+    addPower(kStalePower, engine.stalePower());
+    if (settings.repairTimeBudget > 0)
     {
-      addWatts(kStaleGainBound, [&](int band) { return engine_.staleGainBound(band); });
+      addWatts(kStaleGainBound, [&](int band) { return engine.staleGainBound(band); });
     }
     addStatistics(fields);
   }
@@ -299,22 +292,22 @@ private:
     const auto addNumber = [&](const char* name, double number) {
       addTuple<vtkDoubleArray>(fields, name, { number });
     };
-    const EngineStatistics& statistics = engine_.statistics();
-    addCount(kNumberOfWalks, engine_.walks().numberOfShotWalks());
-    addCount(kNumberOfSegments, engine_.balance().segments);
-    if (settings_.cellEstimate == CellEstimate::Gathered)
+    const EngineStatistics& statistics = engine.statistics();
+    addCount(kNumberOfWalks, engine.walks().numberOfShotWalks());
+    addCount(kNumberOfSegments, engine.balance().segments);
+    if (settings.cellEstimate == CellEstimate::Gathered)
     {
-      addCount(kNumberOfGatherRays, static_cast<std::int64_t>(engine_.numberOfGatherRays()));
+      addCount(kNumberOfGatherRays, static_cast<std::int64_t>(engine.numberOfGatherRays()));
     }
-    addCount(kDirectLight, settings_.gathersDirectLight ? 1 : 0);
-    addCount(kCellEstimate, static_cast<int>(settings_.cellEstimate));
-    if (withErrors_)
+    addCount(kDirectLight, settings.gathersDirectLight ? 1 : 0);
+    addCount(kCellEstimate, static_cast<int>(settings.cellEstimate));
+    if (withErrors)
     {
-      addNumber(kConfidenceFactor, ErrorEstimate::confidenceFactor(settings_.replicates));
+      addNumber(kConfidenceFactor, ErrorEstimate::confidenceFactor(settings.replicates));
     }
-    if (settings_.targetRelativeError > 0)
+    if (settings.targetRelativeError > 0)
     {
-      addNumber(kReachedRelativeError, engine_.reachedRelativeError());
+      addNumber(kReachedRelativeError, engine.reachedRelativeError());
     }
     addCount(kNumberOfInvalidWalks, statistics.invalidWalks);
     addCount(kNumberOfRepairedSegments, statistics.repairedSegments);
@@ -323,13 +316,6 @@ private:
     addNumber(kRepairSeconds, statistics.repairSeconds);
     addCount(kHistoryBytes, static_cast<std::int64_t>(statistics.historyBytes));
   }
-
-  const IrradianceEngine& engine_;
-  const SceneReader& scene_;
-  const EngineSettings& settings_;
-  bool withErrors_, withReplicates_;
-  const CancelPoint& cancelPoint_;
-  ErrorEstimate errors_;
 };
 
 }
@@ -338,7 +324,7 @@ void writeOutput(const IrradianceEngine& engine, const SceneReader& scene,
   const SceneInputs& inputs, bool withErrors, bool withReplicates, const CancelPoint& cancelPoint,
   vtkMultiBlockDataSet* output)
 {
-  OutputWriter(engine, scene, withErrors, withReplicates, cancelPoint).write(inputs, output);
+  OutputWriter{ engine, scene, withErrors, withReplicates, cancelPoint }.write(inputs, output);
 }
 
 void writeEmptyOutput(const SceneInputs& inputs, const EngineSettings& settings, bool withErrors,
