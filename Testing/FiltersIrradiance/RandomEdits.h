@@ -178,20 +178,13 @@ inline void SetGloss(Trial& t)
 /// And nothing else, on half of what is glossy.
 inline void ChangeExponents(Trial& t)
 {
-  for (auto& port : t.Given.Ports)
-  {
-    for (Connection& connection : port)
+  t.ForEachMesh([&](const Leaf& leaf) {
+    if (leaf.Mesh->GetCellData()->HasArray(t.Set().SpecularArray.c_str()) && Chance(t.Random, 2))
     {
-      ForEachLeaf(connection.Data, [&](vtkPolyData* mesh) {
-        if (mesh->GetCellData()->HasArray(t.Set().SpecularArray.c_str()) && Chance(t.Random, 2))
-        {
-          SetRandomExponents(t.Random, mesh);
-          mesh->Modified();
-        }
-      });
-      connection.Data->Modified();
+      SetRandomExponents(t.Random, leaf.Mesh);
+      leaf.Modified();
     }
-  }
+  });
 }
 
 /// Or only the exponents: then all of it is a mirror.
@@ -209,7 +202,7 @@ inline void RemoveGloss(Trial& t)
 inline void SetAnArray(Trial& t)
 {
   const Leaf leaf = t.PickLeaf(true);
-  const bool isLight = !leaf.IsGround && Chance(t.Random, 3);
+  const bool isLight = !leaf.IsGround && !HasTable(leaf.Mesh) && Chance(t.Random, 3);
   SetCellValues(leaf.Mesh, isLight ? "RadiantExitance" : "DiffuseReflectance",
     RandomTuple(t.Random, isLight ? 50 : 0.9));
   leaf.Modified();
@@ -243,7 +236,8 @@ inline void ChangeGhosts(Trial& t)
 {
   const Leaf leaf = t.PickLeaf(false);
   leaf.Mesh->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
-  if (!Chance(t.Random, 3))
+  const bool isOpening = HasTable(leaf.Mesh) && leaf.Mesh->GetNumberOfPolys() > 0; // stays whole
+  if (!isOpening && !Chance(t.Random, 3))
   {
     vtkNew<vtkUnsignedCharArray> ghosts;
     ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
@@ -276,6 +270,34 @@ inline void ChangeBlocks(Trial& t)
     Chance(t.Random, 3) ? all->SetNumberOfPartitionedDataSets(i) : all->SetPartition(i, 0, mesh);
   }
   connection.Data->Modified();
+}
+
+// Lights.
+
+/// Its flux, its table or its axes, of half of the lamps.
+inline void ChangeLuminaires(Trial& t)
+{
+  t.ForEachMesh([&](const Leaf& leaf) {
+    if (HasTable(leaf.Mesh) && leaf.Mesh->GetNumberOfCells() > 0 && Chance(t.Random, 2))
+    {
+      const int what = t.Random.Below(3);
+      what == 0     ? SetRandomFlux(t.Random, leaf.Mesh)
+        : what == 1 ? SetRandomTable(t.Random, leaf.Mesh, IsFlat(leaf.Mesh))
+                    : SetRandomAxes(t.Random, leaf.Mesh, IsFlat(leaf.Mesh));
+      leaf.Modified();
+    }
+  });
+}
+
+inline void ChangeTheSky(Trial& t)
+{
+  t.ForEachMesh([&](const Leaf& leaf) {
+    if (IsSky(leaf.Mesh))
+    {
+      leaf.Mesh->DeepCopy(RandomSky(t.Random));
+      leaf.Modified();
+    }
+  });
 }
 
 // Connections.

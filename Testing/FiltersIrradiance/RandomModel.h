@@ -3,6 +3,7 @@
 #define RandomModel_h
 
 #include "RandomGloss.h"
+#include "RandomLights.h"
 #include "RandomRide.h"
 #include "RandomView.h"
 
@@ -19,8 +20,6 @@
 /// Everything that determines a filter's result, and random parts of it.
 namespace RandomModels
 {
-
-using Tuple = std::vector<double>;
 
 struct Settings
 {
@@ -147,16 +146,6 @@ void ForEachLeaf(vtkDataObject* data, const Visit& visit)
   }
 }
 
-inline Tuple RandomTuple(RandomNumbers& random, double high)
-{
-  Tuple tuple{ random.Between(0, high) };
-  if (Chance(random, 4))
-  {
-    tuple.insert(tuple.end(), { random.Between(0, high), Chance(random, 2) ? 0 : high });
-  }
-  return tuple;
-}
-
 /// Adds polygons that have no area: of one point, of two, and of three on a line.
 inline void AddTinyPolygons(vtkPolyData* mesh)
 {
@@ -167,18 +156,6 @@ inline void AddTinyPolygons(vtkPolyData* mesh)
     mesh->GetPolys()->InsertNextCell(count, corners);
   }
   mesh->Modified();
-}
-
-/// From 1 down to where all but rounding is lost beside other lights.
-inline double RandomWeakness(RandomNumbers& random)
-{
-  return Chance(random, 3) ? std::pow(10, -random.Below(40)) : 1;
-}
-
-inline Tuple Scaled(Tuple tuple, double factor)
-{
-  std::for_each(tuple.begin(), tuple.end(), [&](double& value) { value *= factor; });
-  return tuple;
 }
 
 /// Shells of 0.25 m around cavities, nested as deep as `depth`, with all fronts out of the matter.
@@ -206,7 +183,11 @@ inline Mesh MakeNestedShells(double size, int depth)
 inline Mesh RandomMesh(RandomNumbers& random)
 {
   const auto length = [&] { return 0.25 * (1 + random.Below(4)); };
-  const int kind = random.Below(18);
+  const int kind = random.Below(19);
+  if (kind == 18)
+  {
+    return RandomLuminaire(random);
+  }
   if (kind == 0)
   {
     return MakePointLight({ 0, 0, 0 }, Scaled(RandomTuple(random, 40), RandomWeakness(random)));
@@ -336,13 +317,15 @@ inline vtkSmartPointer<vtkDataObject> RandomData(RandomNumbers& random)
   return RandomMesh(random);
 }
 
-/// A room or an open floor, which stays and may shine, a lamp, perhaps a bulb of many facets, four
-/// dynamic inputs and one that rides.
+/// A room or an open floor, which stays and may shine, a lamp, perhaps a bulb of many facets, a lamp
+/// with a table or a sky, four dynamic inputs and one that rides.
 inline Model RandomModel(RandomNumbers& random)
 {
   Model model;
-  Mesh ground = Chance(random, 3) ? MakeRectangle({ -2, -2, 0 }, { 7, 0, 0 }, { 0, 7, 0 }, 3)
-                                  : MakeRoom(3, 1 + random.Below(3));
+  const bool hasSky = Chance(random, 4);
+  Mesh ground = Chance(random, hasSky ? 1 : 3)
+    ? MakeRectangle({ -2, -2, 0 }, { 7, 0, 0 }, { 0, 7, 0 }, 3)
+    : MakeRoom(3, 1 + random.Below(3));
   SetCellValues(ground, "Albedo", { 0.3 });
   SetCellValues(ground, "Gloss", { 0.4 });
   model.Ports[0] = { { ground, nullptr, {} },
@@ -369,6 +352,14 @@ inline Model RandomModel(RandomNumbers& random)
           {} });
     }
   }
+  if (Chance(random, 3))
+  {
+    model.Ports[0].push_back({ Placed(RandomLuminaire(random), 1, { 2, 1, 2.5 }), nullptr, {} });
+  }
+  if (hasSky)
+  {
+    model.Ports[0].push_back({ RandomSky(random), nullptr, {} });
+  }
   for (int i = 0; i < 4; ++i)
   {
     auto pose = vtkSmartPointer<vtkTransform>::New();
@@ -376,7 +367,7 @@ inline Model RandomModel(RandomNumbers& random)
     model.Ports[1].push_back({ RandomData(random), pose, {} });
   }
   model.Ports[1].push_back({ RandomData(random), nullptr, RandomRide(random) });
-  if (Chance(random, 6))
+  if (!hasSky && Chance(random, 6))
   {
     const double far = std::pow(10, 1 + random.Below(7));
     model.Ports[0].push_back(

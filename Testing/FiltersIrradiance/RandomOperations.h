@@ -159,6 +159,10 @@ inline void GoAndComeBack(Trial& t)
   const auto nothing = Mesh::New();
   nothing->GetCellData()->CopyAllOn();
   nothing->GetCellData()->CopyAllocate(model->GetCellData(), 0);
+  if (Chance(t.Random, 2))
+  {
+    nothing->GetFieldData()->DeepCopy(model->GetFieldData());
+  }
   leaf->DeepCopy(nothing);
   for (int updates = 1 + t.Random.Below(2); updates > 0 && !testing::Test::HasFailure(); --updates)
   {
@@ -259,6 +263,31 @@ inline void SpoilAReflectance(Trial& t)
   }
 }
 
+/// Of a lamp with a table, or the sky.
+inline void SpoilALight(Trial& t)
+{
+  std::vector<Leaf> lights;
+  t.ForEachMesh([&](const Leaf& leaf) {
+    const bool isThere = leaf.Mesh->GetNumberOfCells() > 0 && !t.HasLeft(*leaf.In);
+    if (IsSky(leaf.Mesh) || (HasTable(leaf.Mesh) && isThere))
+    {
+      lights.push_back(leaf);
+    }
+  });
+  if (!lights.empty())
+  {
+    const Leaf leaf = Pick(t.Random, lights);
+    const char* const name = IsSky(leaf.Mesh) ? "SunIrradiance" : "PolarAngles";
+    vtkFieldData* fields = leaf.Mesh->GetFieldData();
+    const vtkSmartPointer<vtkDataArray> old = fields->GetArray(name);
+    SetFieldTuple(leaf.Mesh, name, { -1 });
+    leaf.Modified();
+    t.ExpectOneError();
+    fields->AddArray(old);
+    leaf.Modified();
+  }
+}
+
 /// A singular pose, of a dynamic connection or of one past the last.
 inline void SpoilAPose(Trial& t)
 {
@@ -327,7 +356,8 @@ inline const Operation Operations[] = { { "MoveAPose", MoveAPose, 18 },
   { "TakeANewShape", TakeANewShape, 2 }, { "SetAnArray", SetAnArray, 2 },
   { "SetGloss", SetGloss, 3 }, { "ChangeExponents", ChangeExponents, 3 },
   { "RemoveGloss", RemoveGloss, 2 }, { "ChangeAValue", ChangeAValue, 2 },
-  { "RemoveAnArray", RemoveAnArray, 1 }, { "ChangeGhosts", ChangeGhosts, 2 },
+  { "RemoveAnArray", RemoveAnArray, 1 }, { "ChangeLuminaires", ChangeLuminaires, 5 },
+  { "ChangeTheSky", ChangeTheSky, 5 }, { "ChangeGhosts", ChangeGhosts, 2 },
   { "ChangeBlocks", ChangeBlocks, 3 }, { "AddConnection", AddConnection, 4 },
   { "RemoveConnection", RemoveConnection, 3 }, { "ChangeSamples", ChangeSamples, 1 },
   { "ChangeModes", ChangeModes, 3 }, { "ChangeOutput", ChangeOutput, 2 },
@@ -338,8 +368,9 @@ inline const Operation Operations[] = { { "MoveAPose", MoveAPose, 18 },
   { "PutSensorsOnCells", PutSensorsOnCells, 3 }, { "AbortAView", AbortAView, 2 },
   { "SayModified", SayModified, 2 }, { "Abort", Abort, 3 },
   { "MeddleWhileItRuns", MeddleWhileItRuns, 4 }, { "SpoilAPoint", SpoilAPoint, 1 },
-  { "SpoilAReflectance", SpoilAReflectance, 1 }, { "SpoilAPose", SpoilAPose, 1 },
-  { "SpoilALeaf", SpoilALeaf, 1 }, { "SpoilASetting", SpoilASetting, 1 } };
+  { "SpoilAReflectance", SpoilAReflectance, 1 }, { "SpoilALight", SpoilALight, 1 },
+  { "SpoilAPose", SpoilAPose, 1 }, { "SpoilALeaf", SpoilALeaf, 1 },
+  { "SpoilASetting", SpoilASetting, 1 } };
 
 }
 

@@ -82,12 +82,14 @@ inline void Print(const Counts& counts)
 {
   std::cout << counts.Operations << " operations, " << counts.Repairs << " repairs, "
             << counts.Compared << " comparisons, " << counts.Stale << " of them stale, "
-            << counts.Errors << " errors, " << counts.Aborts << " aborts, " << counts.Meddlings
-            << " changes while it ran, " << counts.Looks << " looks at its photons, "
-            << counts.Shown << " comparisons of walks, " << counts.Gathered
-            << " of gathered light, " << counts.FinalGathers << " of the final gather, "
-            << counts.ChosenGathers << " of these chosen; digest of the answers " << std::hex
-            << counts.Digest << std::dec << '\n';
+            << counts.Luminaires << " lamps with a table and " << counts.Skies << " skies in them, "
+            << counts.Errors << " errors, " << counts.Mishaps << " by chance, " << counts.Aborts
+            << " aborts, " << counts.Meddlings << " changes while it ran, " << counts.Looks
+            << " looks at its photons, " << counts.Shown << " comparisons of walks, "
+            << counts.Gathered << " of gathered light, " << counts.FinalGathers
+            << " of the final gather, " << counts.ChosenGathers
+            << " of these chosen; digest of the answers " << std::hex << counts.Digest << std::dec
+            << '\n';
 }
 
 }

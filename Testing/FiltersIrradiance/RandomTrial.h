@@ -46,10 +46,18 @@ struct Leaf
   }
 };
 
+/// A point light between faces that touch is bad input, and so is a part outside of a sky's bounds.
+inline bool IsMetByChance(const std::string& error)
+{
+  return error.find("no side to shine into") != std::string::npos ||
+    error.find("leaves the box that the sky lights") != std::string::npos;
+}
+
 struct Counts
 {
-  int Operations = 0, Compared = 0, Repairs = 0, Stale = 0, Errors = 0, Aborts = 0, Meddlings = 0,
-      Looks = 0, Shown = 0, Gathered = 0, FinalGathers = 0, ChosenGathers = 0;
+  int Operations = 0, Compared = 0, Repairs = 0, Stale = 0, Errors = 0, Mishaps = 0, Aborts = 0,
+      Meddlings = 0, Luminaires = 0, Skies = 0, Looks = 0, Shown = 0, Gathered = 0,
+      FinalGathers = 0, ChosenGathers = 0;
   std::uint64_t Digest = 0; ///< of all that fresh filters computed
 
   void Digested(std::uint64_t digest) { this->Digest = 3 * this->Digest + digest; }
@@ -89,22 +97,40 @@ struct Trial
       this->Given.Time > ride.Keys.back().Time;
   }
 
-  /// `withSurface`: it is also there.
-  Leaf PickLeaf(bool withSurface)
+  /// Calls visit(leaf) for each mesh of the static and the dynamic inputs.
+  template <class Visit>
+  void ForEachMesh(const Visit& visit)
   {
-    std::vector<Leaf> leaves;
+    bool isGround = true;
     for (auto& port : this->Given.Ports)
     {
       for (Connection& connection : port)
       {
         ForEachLeaf(connection.Data, [&](vtkPolyData* mesh) {
-          if (!withSurface || (mesh->GetNumberOfPolys() > 0 && !this->HasLeft(connection)))
-          {
-            leaves.push_back({ &connection, mesh, leaves.empty() });
-          }
+          visit(Leaf{ &connection, mesh, std::exchange(isGround, false) });
         });
       }
     }
+  }
+
+  bool HasSky()
+  {
+    bool has = false;
+    this->ForEachMesh([&](const Leaf& leaf) { has = has || IsSky(leaf.Mesh); });
+    return has;
+  }
+
+  /// `withSurface`: it is also there.
+  Leaf PickLeaf(bool withSurface)
+  {
+    std::vector<Leaf> leaves;
+    this->ForEachMesh([&](const Leaf& leaf) {
+      const bool hasSurface = leaf.Mesh->GetNumberOfPolys() > 0 && !this->HasLeft(*leaf.In);
+      if (withSurface ? hasSurface : !IsSky(leaf.Mesh))
+      {
+        leaves.push_back(leaf);
+      }
+    });
     return Pick(this->Random, leaves);
   }
 
@@ -148,6 +174,7 @@ struct Trial
   void LimitGloss();
   void KeepCellOfWalks();
   void DropBudgetOfLook();
+  void BringHome();
   bool HasUnseenLight();
   void DropFinalGather();
   void UpdateAndCheck();
@@ -216,16 +243,10 @@ inline void Trial::DropBudgetOfLook()
 inline bool Trial::HasUnseenLight()
 {
   bool hasGloss = false, hasPoints = false;
-  for (const auto& port : this->Given.Ports)
-  {
-    for (const Connection& connection : port)
-    {
-      ForEachLeaf(connection.Data, [&](vtkPolyData* mesh) {
-        hasGloss = hasGloss || mesh->GetCellData()->HasArray(this->Set().SpecularArray.c_str());
-        hasPoints = hasPoints || mesh->GetNumberOfVerts() > 0;
-      });
-    }
-  }
+  this->ForEachMesh([&](const Leaf& leaf) {
+    hasGloss = hasGloss || leaf.Mesh->GetCellData()->HasArray(this->Set().SpecularArray.c_str());
+    hasPoints = hasPoints || leaf.Mesh->GetNumberOfVerts() > 0 || IsSky(leaf.Mesh);
+  });
   return hasGloss && hasPoints;
 }
 
@@ -246,6 +267,27 @@ inline void Trial::DropFinalGather()
   }
 }
 
+/// Half of the time, what moves, and wider bounds of the sky.
+inline void Trial::BringHome()
+{
+  const bool stays = Chance(this->Random, 2);
+  for (Connection& moving : this->Moving())
+  {
+    if (moving.Pose && !stays)
+    {
+      moving.Pose->Identity();
+      moving.Pose->Translate(RandomPlace(this->Random).data());
+    }
+  }
+  this->ForEachMesh([&](const Leaf& leaf) {
+    if (IsSky(leaf.Mesh) && !stays)
+    {
+      SetFieldTuple(leaf.Mesh, "SkyBounds", { -8, 11, -8, 11, -8, 11 });
+      leaf.Modified();
+    }
+  });
+}
+
 inline void Trial::UpdateAndCheck()
 {
   this->LimitGloss();
@@ -259,9 +301,11 @@ inline void Trial::UpdateAndCheck()
   }
   this->Update();
   const auto& errors = this->Reports->Errors;
-  if (errors.size() == 1 && errors[0].find("no side to shine into") != std::string::npos)
+  if (errors.size() == 1 && IsMetByChance(errors[0]))
   {
-    this->MakeFresh(1); // a point light between faces that touch is bad input, met by chance
+    this->MakeFresh(1);
+    ++this->Done.Mishaps;
+    this->BringHome();
     this->Filter
       ->Modified(); // else the next operation, if it changes nothing, keeps the empty output
     this->MustCompare = true;
@@ -317,6 +361,10 @@ inline void Trial::Compare()
   // Drawn before it is known whether something is stale, which depends on time.
   const bool waits = Chance(this->Random, 2);
   ++this->Done.Compared;
+  this->ForEachMesh([&](const Leaf& leaf) {
+    this->Done.Luminaires += HasTable(leaf.Mesh) && leaf.Mesh->GetNumberOfCells() > 0;
+    this->Done.Skies += IsSky(leaf.Mesh);
+  });
   this->Done.Digested(OutputBits(fresh).Digest());
   this->Done.Digested(ShownWalks::LastingBits(fresh->GetWalksOutput()).Digest());
   if (MostStale(this->Filter) > 0)

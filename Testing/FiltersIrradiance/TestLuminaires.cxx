@@ -25,11 +25,7 @@ const std::vector<double> Polar{ 0, 90 }, Azimuths{ 0, 90, 180, 270, 360 },
 
 void SetFlux(vtkPolyData* lamp, const std::vector<double>& flux)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName("Flux");
-  array->SetNumberOfComponents(static_cast<int>(flux.size()));
-  array->InsertNextTuple(flux.data());
-  lamp->GetFieldData()->AddArray(array);
+  SetFieldTuple(lamp, "Flux", flux);
 }
 
 Mesh WithTable(const Mesh& lamp, const std::vector<double>& flux = { Flux })

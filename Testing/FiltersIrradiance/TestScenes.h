@@ -71,14 +71,21 @@ inline void SetField(vtkDataObject* data, const char* name, const std::vector<do
   data->GetFieldData()->AddArray(array);
 }
 
+/// A field array of one tuple.
+inline void SetFieldTuple(vtkDataObject* data, const char* name, const std::vector<double>& tuple)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(static_cast<int>(tuple.size()));
+  array->InsertNextTuple(tuple.data());
+  data->GetFieldData()->AddArray(array);
+}
+
 /// A field array of 16 values, row by row.
 inline void SetObjectToWorld(vtkDataObject* data, vtkTransform* pose)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName("ObjectToWorld");
-  array->SetNumberOfComponents(16);
-  array->InsertNextTuple(pose->GetMatrix()->GetData());
-  data->GetFieldData()->AddArray(array);
+  const double* const matrix = pose->GetMatrix()->GetData();
+  SetFieldTuple(data, "ObjectToWorld", { matrix, matrix + 16 });
 }
 
 /// The i-th for the i-th point; one for all if there is one alone.

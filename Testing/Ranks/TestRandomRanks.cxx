@@ -58,7 +58,7 @@ void AddUpADose(Trial& t)
     return OutputBits(ExposureScenes::BlocksOf(exposure));
   };
   const OutputBits bits = dose(t.Filter);
-  EXPECT_FALSE(bits.IsEmpty());
+  EXPECT_TRUE(!bits.IsEmpty() || t.HasSky()); // out of its bounds there is no dose
   EXPECT_TRUE(IsSame(bits, dose(t.MakeFresh())));
 }
 

@@ -6,6 +6,7 @@
 #include "ExposureScenes.h"
 #include "OutputBits.h"
 #include "Processes.h"
+#include "RandomLights.h"
 #include "TestScenes.h"
 
 #include "vtkPhotonWalksFilter.h"
@@ -29,9 +30,8 @@ bool AreSeveral()
 using Settings = std::function<void(vtkIrradianceFilter*)>;
 
 /// Takes the processes' filter through frames, and compares it with a filter alone in each.
-void ExpectBitsOfOne(const Settings& set)
+void ExpectBitsOfOne(const Settings& set, const Scene& scene = MakeSmallScene())
 {
-  const Scene scene = MakeSmallScene();
   const auto together = MakeFilter(scene, 6000), alone = MakeFilter(scene, 6000);
   set(together);
   set(alone);
@@ -82,6 +82,28 @@ TEST(Ranks, GatherTheLightOfOne)
     filter->SetComputeStandardError(true);
     filter->SetSeparateSides(true);
   });
+}
+
+// All processes read the tables, and shoot from lamps and sky, or look for them.
+TEST(Ranks, BringTheLightOfLampsWithTablesAndOfASky)
+{
+  Scene scene = MakeSmallScene();
+  RandomNumbers random(20261128);
+  scene.Fixed[0] = MakeRectangle({ -2, -2, 0 }, { 7, 0, 0 }, { 0, 7, 0 }, 3);
+  scene.Fixed.push_back(Placed(MakeBox(0.5, 0.25, 0.125), 1, { 1, 1, 2.5 }));
+  scene.Moving.push_back(MakeMoving(MakeBox(0.25, 0.25, 0.25), { 2, 2, 2 }));
+  for (const Mesh& lamp : { scene.Fixed.back(), scene.Moving.back().Model })
+  {
+    RandomModels::SetRandomTable(random, lamp, false);
+    SetFieldTuple(lamp, "Flux", { 20, 10, 5 });
+  }
+  vtkNew<vtkSunSkySource> sky;
+  sky->SetDirectNormalIrradiance(500);
+  sky->SetBounds(-2, 5, -2, 5, 0, 5);
+  sky->Update();
+  scene.Fixed.push_back(sky->GetOutput());
+  ExpectBitsOfOne([](vtkIrradianceFilter*) {}, scene);
+  ExpectBitsOfOne([](vtkIrradianceFilter* filter) { filter->SetMethodToGathered(); }, scene);
 }
 
 TEST(Ranks, ReachATargetTogether)
