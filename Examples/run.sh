@@ -20,6 +20,7 @@ if [[ ${1:-} && $1 != */* && -e Examples/$1/CMakeLists.txt ]]; then
 fi
 
 require_packages build display
+[[ -e Examples/$example/$example.cxx ]] || require_packages python
 
 configure=(cmake --preset release -DVTKIRRADIANCE_BUILD_EXAMPLES=ON)
 # A tree that is there already keeps its tests.

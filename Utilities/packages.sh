@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # For bash to source. The only list of what must be installed, by role, and the way to get it:
 #
-#   require_packages ROLE...      build, display, test, fuzz, package, benchmark, meshes (to fetch the benchmark's)
+#   require_packages ROLE...      build, display, python, test, fuzz, package, benchmark, meshes (to fetch the benchmark's)
 #   packages_of paraview          what Testing/ParaView/fetch-paraview.sh unpacks; it cannot be installed beside VTK
 #   missing_libraries_of PACKAGE  Debian's packages of the libraries that PACKAGE needs and that are not installed
 #   fetch_data                    what Data/fetch.sh fetches
@@ -19,6 +19,7 @@ packages_of()
   case $1 in
     build) echo g++ cmake ninja-build libvtk9-dev libcgal-dev libeigen3-dev ;;
     display) echo xvfb ;;
+    python) echo python3-numpy ;; # for examples; VTK's own modules come with libvtk9-dev
     test) echo libgtest-dev clang-format clang-tidy python3-matplotlib python3-numpy doxygen ;;
     package) echo dpkg-dev file ;;
     fuzz) echo clang libclang-rt-dev ;;

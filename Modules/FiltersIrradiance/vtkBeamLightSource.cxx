@@ -93,16 +93,12 @@ void AddBeam(vtkFieldData* fields, const BeamProfile& profile, double flux)
   std::transform(
     polar.begin(), polar.end(), values.begin(), [&](double angle) { return profile.At(angle); });
   const double scale = flux / irradiance::DirectionTable(polar, { 0 }, values).integral();
-  const auto add = [&](const char* name, const std::vector<double>& numbers, double factor) {
-    const auto array =
-      irradiance::addArray<vtkDoubleArray>(fields, name, 1, static_cast<vtkIdType>(numbers.size()));
-    std::transform(numbers.begin(), numbers.end(), array->GetPointer(0),
-      [&](double number) { return factor * number; });
-  };
-  add("RadiantIntensity", values, scale);
-  add("PolarAngles", polar, 1);
-  add("AzimuthAngles", { 0 }, 1);
-  add("Flux", { flux }, 1);
+  std::transform(
+    values.begin(), values.end(), values.begin(), [scale](double value) { return scale * value; });
+  irradiance::addColumn(fields, "RadiantIntensity", values);
+  irradiance::addColumn(fields, "PolarAngles", polar);
+  irradiance::addColumn(fields, "AzimuthAngles", { 0 });
+  irradiance::addColumn(fields, "Flux", { flux });
 }
 
 void AddLamp(vtkPolyData* output, double radius, const Vector3& center, const Vector3& axis,
@@ -142,9 +138,8 @@ void vtkBeamLightSource::CheckProperties() const
     checkWithin("BeamAngle", this->BeamAngle, 0.01, 179.9);
     irradiance::throwIf(
       this->FieldAngle != 0 && !(this->FieldAngle > this->BeamAngle && this->FieldAngle <= 180),
-      "FieldAngle is " + irradiance::text(this->FieldAngle) +
-        "; it has to be more than BeamAngle, " + irradiance::text(this->BeamAngle) +
-        ", to 180, or 0");
+      "FieldAngle is ", this->FieldAngle, "; it has to be more than BeamAngle, ", this->BeamAngle,
+      ", to 180, or 0");
   }
   for (int i = 0; i < 3; ++i)
   {

@@ -74,20 +74,14 @@ public:
 
   /// @{
   /**
-   * The middle of the lamp, or of the ring, m (default: the origin), and where the light goes, of
-   * any length but 0 (default 0 0 -1).
+   * The middle of the lamp, or of the ring, m (default: the origin), where the light goes, of any
+   * length but 0 (default 0 0 -1), and the radius of the luminous opening, m: a disc across the axis
+   * of the lamp, as a polygon of 32 corners that has its area. 0, the default: a point.
    */
   vtkSetVector3Macro(Center, double);
   vtkGetVector3Macro(Center, double);
   vtkSetVector3Macro(Direction, double);
   vtkGetVector3Macro(Direction, double);
-  /// @}
-
-  /// @{
-  /**
-   * Of the luminous opening, m: a disc across the axis of the lamp, as a polygon of 32 corners that
-   * has its area. 0, the default: a point.
-   */
   vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);
   /// @}
@@ -108,22 +102,14 @@ public:
 
 protected:
   vtkBeamLightSource();
-  ~vtkBeamLightSource() override = default;
 
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
 
-  double Flux = 1;
-  int BeamFrom = Angles;
-  double BeamAngle = 60;
-  double FieldAngle = 0;
-  double Exponent = 1;
-  double Center[3] = { 0, 0, 0 };
-  double Direction[3] = { 0, 0, -1 };
-  double Radius = 0;
-  int NumberOfLamps = 1;
-  double RingRadius = 0;
-  double Tilt = 0;
+  int BeamFrom = Angles, NumberOfLamps = 1;
+  double Flux = 1, BeamAngle = 60, FieldAngle = 0, Exponent = 1;
+  double Center[3] = { 0, 0, 0 }, Direction[3] = { 0, 0, -1 };
+  double Radius = 0, RingRadius = 0, Tilt = 0;
 
 private:
   vtkBeamLightSource(const vtkBeamLightSource&) = delete;

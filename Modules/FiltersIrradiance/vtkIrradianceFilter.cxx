@@ -76,15 +76,13 @@ void ReadErrorSettings(vtkIrradianceFilter* filter, irradiance::EngineSettings& 
   const double target = filter->GetTargetRelativeError();
   const std::uint32_t replicates =
     irradiance::checked("NumberOfReplicates", filter->GetNumberOfReplicates(), 2, mostReplicates);
-  irradiance::throwIf(!(target >= 0 && target <= 1),
-    "TargetRelativeError is " + irradiance::text(target) +
-      "; it has to be positive and at most 1, or 0 for no target (5 % is 0.05)");
+  irradiance::throwIf(!(target >= 0 && target <= 1), "TargetRelativeError is ", target,
+    "; it has to be positive and at most 1, or 0 for no target (5 % is 0.05)");
   if (target > 0)
   {
     const double effort = filter->GetMaximumEffort();
-    irradiance::throwIf(effort != 0 && !(effort >= 1),
-      "MaximumEffort is " + irradiance::text(effort) +
-        "; it has to be 1 or more, or 0 for 10,000,000 walks and 1024 rays");
+    irradiance::throwIf(effort != 0 && !(effort >= 1), "MaximumEffort is ", effort,
+      "; it has to be 1 or more, or 0 for 10,000,000 walks and 1024 rays");
     settings.targetRelativeError = target;
     settings.maximumNumberOfWalks =
       irradiance::checked("MaximumNumberOfWalks, which is at least NumberOfWalks,",
@@ -124,8 +122,8 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
     "RepairTimeBudget is " + std::to_string(budget) +
       "; 0 (none) or a positive number of seconds is possible");
   const double reflectance = filter->GetDefaultDiffuseReflectance();
-  irradiance::throwIf(!(reflectance >= 0 && reflectance <= 1),
-    "DefaultDiffuseReflectance is " + irradiance::text(reflectance) + "; 0 to 1 is possible");
+  irradiance::throwIf(!(reflectance >= 0 && reflectance <= 1), "DefaultDiffuseReflectance is ",
+    reflectance, "; 0 to 1 is possible");
   irradiance::EngineSettings settings;
   settings.numberOfWalks =
     irradiance::checked("NumberOfWalks", filter->GetNumberOfWalks(), 1, MostWalks);
@@ -143,8 +141,8 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
     "NumberOfSpreadPhotons", filter->GetNumberOfSpreadPhotons(), 1, mostSpreadPhotons);
   irradiance::throwIf(filter->GetGatherOn() != vtkIrradianceFilter::SmallCells &&
       filter->GetGatherOn() != vtkIrradianceFilter::AllCells,
-    "GatherOn is " + std::to_string(filter->GetGatherOn()) +
-      ", which was DynamicCells: set Method to Gathered or GatheredEverywhere");
+    "GatherOn is ", filter->GetGatherOn(),
+    ", which was DynamicCells: set Method to Gathered or GatheredEverywhere");
   settings.gathersEverywhere = filter->GetGatherOn() == vtkIrradianceFilter::AllCells;
   settings.unbiasedGather = filter->GetUnbiasedGather() != 0;
   const std::string conflict = irradiance::conflictOf(settings, settings);
@@ -163,10 +161,9 @@ void KeepWhatIsRead(irradiance::EngineSettings& settings, vtkInformation* reques
   settings.keepPhotons = settings.allOnEachRank || areWalksShown;
   settings.listRepaired = areWalksShown || areWalksRead;
   irradiance::throwIf(settings.allOnEachRank && settings.repairTimeBudget > 0 && ranks.areSeveral(),
-    "RepairTimeBudget is " + irradiance::text(settings.repairTimeBudget) + ", but there are " +
-      std::to_string(ranks.count()) +
-      " processes, and each of them would repair other photons for vtkPhotonWalksFilter or "
-      "vtkIrradianceProbeFilter: set it to 0");
+    "RepairTimeBudget is ", settings.repairTimeBudget, ", but there are ", ranks.count(),
+    " processes, and each of them would repair other photons for vtkPhotonWalksFilter or "
+    "vtkIrradianceProbeFilter: set it to 0");
 }
 
 std::string TargetMissed(const irradiance::IrradianceEngine& engine,
@@ -212,8 +209,8 @@ public:
     const int last = this->Poses.empty() ? -1 : this->Poses.rbegin()->first;
     const int first = this->Poses.empty() ? 0 : this->Poses.begin()->first;
     irradiance::throwIf(first < 0 || last >= dynamics,
-      "there is a transform for dynamic connection " + std::to_string(first < 0 ? first : last) +
-        ", but input port 1 has " + std::to_string(dynamics) + " connections");
+      "there is a transform for dynamic connection ", first < 0 ? first : last,
+      ", but input port 1 has ", dynamics, " connections");
     irradiance::SceneInputs read;
     for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i)
     {
@@ -468,11 +465,6 @@ void vtkIrradianceFilter::SetDynamicMatrix(int i, double m00, double m01, double
   this->SetDynamicMatrix(i, elements);
 }
 
-void vtkIrradianceFilter::RemoveAllDynamicInputs()
-{
-  this->RemoveAllInputConnections(1);
-}
-
 void vtkIrradianceFilter::SetCellArray(const char* quantity, const char* name)
 {
   const std::string wanted = quantity ? quantity : "";
@@ -667,11 +659,6 @@ int vtkIrradianceFilter::FillOutputPortInformation(int port, vtkInformation* inf
 vtkPolyData* vtkIrradianceFilter::GetWalksOutput()
 {
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
-}
-
-vtkAlgorithmOutput* vtkIrradianceFilter::GetWalksOutputPort()
-{
-  return this->GetOutputPort(1);
 }
 
 // The executive copies only the times of the first connection; a scene has the times of all.

@@ -104,7 +104,7 @@ public:
   /// @}
 
   /// Removes the inputs of port 1; the poses stay.
-  void RemoveAllDynamicInputs();
+  void RemoveAllDynamicInputs() { this->RemoveAllInputConnections(1); }
 
   /**
    * From which cell array a quantity is read. `quantity`: a default name of the table above, such
@@ -222,13 +222,12 @@ public:
   /// @}
 
   /// @{
-  /** Diffuse reflectance, 0..1, of inputs without such an array. Default 0.5. */
+  /**
+   * The diffuse reflectance, 0..1, of inputs without such an array (default 0.5). The seed of the
+   * random scrambling of the samples: two seeds give independent results (default 1).
+   */
   vtkSetMacro(DefaultDiffuseReflectance, double);
   vtkGetMacro(DefaultDiffuseReflectance, double);
-  /// @}
-
-  /// @{
-  /** Of the random scrambling of the samples: two seeds give independent results. Default 1. */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   /// @}
@@ -407,7 +406,7 @@ public:
   vtkSetMacro(OutputWalksConnection, int);
   vtkGetMacro(OutputWalksConnection, int);
   vtkPolyData* GetWalksOutput();
-  vtkAlgorithmOutput* GetWalksOutputPort();
+  vtkAlgorithmOutput* GetWalksOutputPort() { return this->GetOutputPort(1); }
 
   /// Gone; one error names vtkKeyFramedPose, which gives poses over time.
   void SetDynamicTransformInterpolator(int i, vtkTransformInterpolator* worldFromObject);
@@ -446,26 +445,16 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
 
-  char* PoseArrayName = nullptr;
   vtkIdType NumberOfWalks = 1000000;
-  int Seed = 1;
+  int NumberOfRays = 32, NumberOfReplicates = 16, NumberOfSpreadPhotons = 250, Seed = 1;
+  int TraversalMode = Parallel, UpdateMode = Verify;
+  double TargetRelativeError = 0, MaximumEffort = 0, RepairTimeBudget = 0;
   double DefaultDiffuseReflectance = 0.5;
-  int TraversalMode = Parallel;
-  int UpdateMode = Verify;
-  vtkTypeBool CacheStaticHits = 0;
-  vtkTypeBool SeparateSides = 0;
-  int NumberOfSpreadPhotons = 250;
-  int NumberOfRays = 32;
-  vtkTypeBool ComputeStandardError = 0;
-  int NumberOfReplicates = 16;
-  double TargetRelativeError = 0;
-  double MaximumEffort = 0;
-  double RepairTimeBudget = 0;
-  vtkIdType NumberOfOutputWalks = 0;
-  vtkIdType OutputWalksCell = -1;
-  int OutputWalksPort = 0;
-  int OutputWalksConnection = 0;
+  vtkTypeBool ComputeStandardError = 0, SeparateSides = 0, CacheStaticHits = 0;
   vtkTypeBool DistributedInput = 0;
+  char* PoseArrayName = nullptr;
+  vtkIdType NumberOfOutputWalks = 0, OutputWalksCell = -1;
+  int OutputWalksPort = 0, OutputWalksConnection = 0;
 
 private:
   vtkIrradianceFilter(const vtkIrradianceFilter&) = delete;

@@ -14,7 +14,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkStringArray.h"
 
 #include <string>
 
@@ -27,28 +26,12 @@ namespace
 double WattsOf(const irradiance::PhotometricFile& file, const char* name, double efficacy)
 {
   constexpr double most = 683.002; // lm/W, by the definition of the lumen, at 555 nm
-  irradiance::throwIf(!(efficacy >= 0 && efficacy <= most),
-    "LuminousEfficacy is " + irradiance::text(efficacy) + "; 0 to 683.002 lm/W are possible");
-  irradiance::throwIf(!file.isRadiometric() && efficacy == 0,
-    std::string(name) +
-      " gives candela; set LuminousEfficacy, the lumens in a watt of the lamp's light (some 300 "
-      "for white LEDs, 683 at 555 nm)");
+  irradiance::throwIf(!(efficacy >= 0 && efficacy <= most), "LuminousEfficacy is ", efficacy,
+    "; 0 to 683.002 lm/W are possible");
+  irradiance::throwIf(!file.isRadiometric() && efficacy == 0, name,
+    " gives candela; set LuminousEfficacy, the lumens in a watt of the lamp's light (some 300 for "
+    "white LEDs, 683 at 555 nm)");
   return file.isRadiometric() ? 1 : 1 / efficacy;
-}
-
-void AddDoubles(vtkFieldData* fields, const char* name, const std::vector<double>& values)
-{
-  const auto array =
-    irradiance::addArray<vtkDoubleArray>(fields, name, 1, static_cast<vtkIdType>(values.size()));
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-}
-
-void AddText(vtkFieldData* fields, const char* name, const std::string& text)
-{
-  if (!text.empty())
-  {
-    irradiance::addArray<vtkStringArray>(fields, name, 1, 1)->SetValue(0, text);
-  }
 }
 
 void WriteOpening(const irradiance::PhotometricFile& file, vtkPolyData* output)
@@ -56,20 +39,17 @@ void WriteOpening(const irradiance::PhotometricFile& file, vtkPolyData* output)
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> cells;
-  const auto addCell = [&](const irradiance::Facet& facet) {
-    cells->InsertNextCell(static_cast<int>(facet.size()));
-    for (const irradiance::Vector3& point : facet)
-    {
-      cells->InsertCellPoint(points->InsertNextPoint(point.data()));
-    }
-  };
   const bool isPoint = file.opening.shape == irradiance::LuminousOpening::Shape::Point;
   const std::vector<irradiance::Facet> facets = isPoint
     ? std::vector<irradiance::Facet>{ { irradiance::Vector3::Zero() } }
     : irradiance::litFacets(file.opening, file.table);
   for (const irradiance::Facet& facet : facets)
   {
-    addCell(facet);
+    cells->InsertNextCell(static_cast<int>(facet.size()));
+    for (const irradiance::Vector3& point : facet)
+    {
+      cells->InsertCellPoint(points->InsertNextPoint(point.data()));
+    }
   }
   output->SetPoints(points);
   isPoint ? output->SetVerts(cells) : output->SetPolys(cells);
@@ -114,11 +94,7 @@ int vtkLuminaireReader::RequestData(
     irradiance::throwIf(!this->FileName || !*this->FileName, "there is no FileName");
     irradiance::PhotometricFile file =
       irradiance::readPhotometricFile(this->FileName, this->LampSet);
-    const double watts = WattsOf(file, this->FileName, this->LuminousEfficacy);
-    for (double& value : file.table.values)
-    {
-      value *= watts;
-    }
+    file.table.scale(WattsOf(file, this->FileName, this->LuminousEfficacy));
     if (file.isRadiometric() && this->LuminousEfficacy != 0)
     {
       file.warnings.push_back(std::string(this->FileName) + " gives " + file.unit +
@@ -132,15 +108,14 @@ int vtkLuminaireReader::RequestData(
     AddDirection(output, "LampAxis", vtkDataSetAttributes::NORMALS, file.table.axis);
     AddDirection(output, "LampReference", vtkDataSetAttributes::VECTORS, file.table.reference);
     vtkFieldData* fields = output->GetFieldData();
-    AddDoubles(fields, "RadiantIntensity", file.table.values);
-    AddDoubles(fields, "PolarAngles", file.table.polar);
-    AddDoubles(fields, "AzimuthAngles", file.table.azimuth);
-    AddDoubles(fields, "Flux",
-      { irradiance::fluxOf(file.table.polar, file.table.azimuth, file.table.values) });
-    AddText(fields, "LuminousShape", file.opening.name());
-    AddText(fields, "IntensityUnit", file.unit);
-    AddText(fields, "Luminaire", file.luminaire);
-    AddText(fields, "Manufacturer", file.manufacturer);
+    irradiance::addColumn(fields, "RadiantIntensity", file.table.values);
+    irradiance::addColumn(fields, "PolarAngles", file.table.polar);
+    irradiance::addColumn(fields, "AzimuthAngles", file.table.azimuth);
+    irradiance::addColumn(fields, "Flux", { file.table.flux() });
+    irradiance::addText(fields, "LuminousShape", file.opening.name());
+    irradiance::addText(fields, "IntensityUnit", file.unit);
+    irradiance::addText(fields, "Luminaire", file.luminaire);
+    irradiance::addText(fields, "Manufacturer", file.manufacturer);
   });
 }
 

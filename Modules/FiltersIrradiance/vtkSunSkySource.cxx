@@ -4,21 +4,17 @@
 #include "Data/ArrayNames.h"
 #include "Data/NamedArray.h"
 #include "Daylight/SkyTable.h"
-#include "Daylight/WeatherSeries.h"
+#include "Input/CommaTable.h"
 #include "Pipeline/FilterRun.h"
 #include "Progress/InputError.h"
 #include "Time/TimeKeys.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkStringArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,17 +28,17 @@ namespace
 struct Daylight
 {
   std::string Where; ///< the row of a series; empty: the properties
+  double Time;
   double DirectNormal, DiffuseHorizontal;
   irradiance::SunPosition Sun;
-  double DistanceFactor;
-  double Time; ///< of the row
+  double DistanceFactor = 1;
 };
 
-void AddSky(vtkFieldData* fields, const char* name, const std::vector<double>& values)
+double IrradianceIn(const irradiance::CommaTable& table, const std::string& column)
 {
-  const auto array =
-    irradiance::addArray<vtkDoubleArray>(fields, name, 1, static_cast<vtkIdType>(values.size()));
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  const double value = table.value(column);
+  table.failIf(value < 0, ", column ", column, ": ", value, " W/m2; it has to be 0 or more");
+  return value;
 }
 
 }
@@ -62,29 +58,23 @@ public:
       return;
     }
     this->Rows.clear();
+    this->Steps.clear();
     this->Error.clear();
     try
     {
       const char* file = this->Source->GetWeatherFileName();
       this->HasSeries = file && *file;
-      this->Rows = this->HasSeries ? irradiance::readWeather(file) : this->Rows;
+      if (this->HasSeries)
+      {
+        this->ReadWeather(file);
+      }
     }
     catch (const irradiance::InputError& error)
     {
+      this->Steps.clear();
       this->Error = error.what();
     }
     this->ReadTime = this->Source->GetMTime();
-  }
-
-  /// The rows in seconds since the first.
-  std::vector<double> Steps() const
-  {
-    std::vector<double> steps;
-    for (const irradiance::WeatherRow& row : this->Rows)
-    {
-      steps.push_back(row.time.seconds - this->Rows.front().time.seconds);
-    }
-    return steps;
   }
 
   /// What the properties say, or the row at `time`.
@@ -93,23 +83,19 @@ public:
     vtkSunSkySource* s = this->Source;
     if (this->HasSeries)
     {
-      const std::vector<double> steps = this->Steps();
-      const auto after = std::upper_bound(steps.begin(), steps.end(), time) - steps.begin();
-      const auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after, 1) - 1);
-      const irradiance::WeatherRow& row = this->Rows[i];
-      return { row.where, row.directNormal, row.diffuseHorizontal, this->SunAt(row.time),
-        irradiance::distanceFactor(row.time.dayOfYear), steps[i] };
+      const auto after = std::upper_bound(this->Steps.begin(), this->Steps.end(), time);
+      return this->Rows[static_cast<std::size_t>(
+        std::max<std::ptrdiff_t>(after - this->Steps.begin(), 1) - 1)];
     }
-    Daylight light{ "", s->DirectNormalIrradiance, s->DiffuseHorizontalIrradiance,
-      { s->SunAzimuth, s->SunAltitude }, 1, time };
+    Daylight light{ "", time, s->DirectNormalIrradiance, s->DiffuseHorizontalIrradiance,
+      { s->SunAzimuth, s->SunAltitude } };
     if (s->SunFrom == PlaceAndTime)
     {
       const std::string given = s->DateTime ? s->DateTime : "";
       const auto clock = irradiance::parseTime(given);
       irradiance::throwIf(
-        !clock, "DateTime is \"" + given + "\"; it has to be a time such as 2024-06-21 12:00");
-      light.Sun = this->SunAt(*clock);
-      light.DistanceFactor = irradiance::distanceFactor(clock->dayOfYear);
+        !clock, "DateTime is \"", given, "\"; it has to be a time such as 2024-06-21 12:00");
+      this->PlaceSun(*clock, light);
     }
     return light;
   }
@@ -183,10 +169,9 @@ public:
     }
     irradiance::SkyTable sky = irradiance::skyTable(shape, sun, light.DiffuseHorizontal);
     irradiance::throwIf(!sky.note.empty() && light.Where.empty(),
-      "SkyModel Perez has no sky for DirectNormalIrradiance " + irradiance::text(direct) +
-        ", DiffuseHorizontalIrradiance " + irradiance::text(light.DiffuseHorizontal) +
-        " and the sun at an altitude of " + irradiance::text(sun.altitude) +
-        " degrees: " + sky.note + "; choose a CIE sky");
+      "SkyModel Perez has no sky for DirectNormalIrradiance ", direct,
+      ", DiffuseHorizontalIrradiance ", light.DiffuseHorizontal, " and the sun at an altitude of ",
+      sun.altitude, " degrees: ", sky.note, "; choose a CIE sky");
     if (light.Sun.altitude < 0 && light.DiffuseHorizontal > 0)
     {
       sky.note += (sky.note.empty() ? "" : "; ") + std::string("the sun is below the horizon");
@@ -201,16 +186,39 @@ public:
 
   std::string Error; ///< why there is no series
   bool HasSeries = false;
+  std::vector<double> Steps; ///< times of the rows, seconds since the first
 
 private:
-  irradiance::SunPosition SunAt(const irradiance::ClockTime& local) const
+  void ReadWeather(const std::string& fileName)
   {
-    return irradiance::sunPosition(local.seconds - 3600 * this->Source->TimeZone,
+    irradiance::CommaTable table(fileName, true);
+    table.require({ "time", "dni", "dhi" });
+    double first = 0;
+    while (table.next())
+    {
+      const std::string& time = table.cell("time");
+      const auto clock = irradiance::parseTime(time);
+      table.failIf(!clock, ", column time: \"", time, "\" is no time such as 2024-06-21 12:00");
+      first = this->Rows.empty() ? clock->seconds : first;
+      table.failIf(!this->Rows.empty() && clock->seconds - first <= this->Steps.back(),
+        ": the time ", time, " is not after that of the row before");
+      this->Steps.push_back(clock->seconds - first);
+      this->Rows.push_back({ table.where(), this->Steps.back(), IrradianceIn(table, "dni"),
+        IrradianceIn(table, "dhi"), {} });
+      this->PlaceSun(*clock, this->Rows.back());
+    }
+    irradiance::throwIf(this->Rows.empty(), "the file ", fileName, " has no row of weather");
+  }
+
+  void PlaceSun(const irradiance::ClockTime& local, Daylight& light) const
+  {
+    light.Sun = irradiance::sunPosition(local.seconds - 3600 * this->Source->TimeZone,
       this->Source->Latitude, this->Source->Longitude);
+    light.DistanceFactor = irradiance::distanceFactor(local.dayOfYear);
   }
 
   vtkSunSkySource* Source;
-  std::vector<irradiance::WeatherRow> Rows;
+  std::vector<Daylight> Rows;
   vtkMTimeType ReadTime = 0;
 };
 
@@ -230,7 +238,7 @@ int vtkSunSkySource::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   this->Internals->Update(); // what is wrong is said once, when the data are asked for
-  irradiance::uniteTimes(nullptr, 0, outputs, this->Internals->Steps());
+  irradiance::uniteTimes(nullptr, 0, outputs, this->Internals->Steps);
   return 1;
 }
 
@@ -248,9 +256,9 @@ int vtkSunSkySource::RequestData(
     const Daylight light = this->Internals->LightAt(time);
     const irradiance::SkyTable sky = this->Internals->Sky(light);
     vtkFieldData* fields = output->GetFieldData();
-    AddSky(fields, irradiance::kSkyRadiance, sky.radiance);
-    AddSky(fields, irradiance::kSkyPolarAngles, sky.polarAngles);
-    AddSky(fields, irradiance::kSkyAzimuths, sky.azimuths);
+    irradiance::addColumn(fields, irradiance::kSkyRadiance, sky.radiance);
+    irradiance::addColumn(fields, irradiance::kSkyPolarAngles, sky.polarAngles);
+    irradiance::addColumn(fields, irradiance::kSkyAzimuths, sky.azimuths);
     const auto toSun =
       irradiance::SunPosition{ light.Sun.azimuth - this->North, light.Sun.altitude }.direction();
     const auto addTuple = irradiance::addTuple<vtkDoubleArray>;
@@ -262,15 +270,8 @@ int vtkSunSkySource::RequestData(
     {
       addTuple(fields, irradiance::kSkyBounds, { this->Bounds, this->Bounds + 6 });
     }
-    if (!sky.note.empty())
-    {
-      const std::string note = light.Where + (light.Where.empty() ? "" : ": ") + sky.note;
-      vtkDebugMacro(<< note);
-      vtkNew<vtkStringArray> text;
-      text->SetName(irradiance::kSkyNote);
-      text->InsertNextValue(note);
-      fields->AddArray(text);
-    }
+    irradiance::addText(fields, irradiance::kSkyNote,
+      sky.note.empty() || light.Where.empty() ? sky.note : light.Where + ": " + sky.note);
     // As readers of files do: then a dose knows that it has to take the rows.
     output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), light.Time);
   });

@@ -19,23 +19,19 @@
  * | `SkyNote` | 1 | a text, if anything was changed to get a sky; see below |
  *
  * DirectNormalIrradiance and DiffuseHorizontalIrradiance say how much light there is, SkyModel how
- * the diffuse light is spread over the sky. The table brings exactly the diffuse horizontal
- * irradiance to a free horizontal plane, whatever the model: the integral of what is bilinear is
- * exact. Against the model itself the irradiance of a vertical plane is off by less than .2 %.
+ * the diffuse light is spread. A free horizontal plane gets exactly the diffuse horizontal
+ * irradiance from the table, a vertical plane within .2 % of what the model itself would bring.
  * Below the horizon is a ground, unless GroundOff.
  *
  * The sun stands where SunAzimuth and SunAltitude say, or where Michalsky's formula (Solar Energy
- * 40:227, 1988) finds it at a place and time, within .01 degrees from 1950 to 2050. Refraction, of
- * half a degree at the horizon, is left out.
- *
- * While the sun is below the horizon, DirectNormalIrradiance counts as 0, and models that need a
- * sun have it at the horizon; SkyNote says so if there is diffuse light. Without diffuse light the
- * sky is black.
+ * 40:227, 1988) finds it at a place and time, without refraction (half a degree at the horizon),
+ * within .01 degrees from 1950 to 2050. While it is below the horizon, DirectNormalIrradiance
+ * counts as 0, and models that need a sun have it at the horizon; SkyNote says so if there is
+ * diffuse light. Without diffuse light the sky is black.
  *
  * @section WeatherFile Weather
- * Comma-separated values. The first line names the columns, in any order and any case; other
- * columns are passed over, as are empty lines and those that begin with #. The times have to
- * increase.
+ * Comma-separated values. The first line names the columns, in any order and any case; others,
+ * empty lines and those that begin with # are passed over. The times have to increase.
  * - `time`: local time (TimeZone), as in `2024-06-21 12:00` or `2024-06-21T12:00:30`;
  * - `DNI`, `DHI`: direct normal and diffuse horizontal irradiance, W/m2.
  *
@@ -45,11 +41,11 @@
  * where rows are means over an hour, let their times be the middles.
  *
  * @section SkyErrors Errors
- * Values that are not finite or out of range, and files with such values, are one error that names
- * the property, or file, line and column, and the value; the output is empty. The model of Perez
- * has no sky for some rare input: its radiance grows without limit towards the horizon (b > 0), or
- * is negative in places. This is an error, too, but in a series such a row has b = 0 or a radiance
- * of 0 there, its diffuse horizontal irradiance all the same, and SkyNote says so.
+ * Values that are not finite or out of range are one error that names the property, or file, line
+ * and column, and the value; the output is empty. For some rare input the model of Perez grows
+ * without limit towards the horizon (b > 0), or is negative in places. This is an error, too, but a
+ * row of a series has b = 0 or a radiance of 0 there, its diffuse horizontal irradiance all the
+ * same, and a SkyNote.
  *
  * Sources: CIE S 011 / ISO 15469:2004; Perez, Seals, Michalsky, Solar Energy 50:235, 1993, with the
  * erratum 51:423. Theory: "Sun and sky".
@@ -116,12 +112,6 @@ public:
   /// @}
 
   /// @{
-  /** The radius of the sun's disc, degrees, 0 to 10; 0: a point. Default 0.2666. */
-  vtkSetMacro(SunAngularRadius, double);
-  vtkGetMacro(SunAngularRadius, double);
-  /// @}
-
-  /// @{
   /** See SunSources. With a WeatherFileName the place and the time of the row. Default Angles. */
   vtkSetClampMacro(SunFrom, int, Angles, PlaceAndTime);
   vtkGetMacro(SunFrom, int);
@@ -131,19 +121,25 @@ public:
 
   /// @{
   /**
-   * Degrees: from north over east (90: in the east; default 180, in the south), and over the
-   * horizon (-90 to 90, default 45).
+   * Degrees: from north over east (90: in the east; default 180, in the south); over the horizon
+   * (-90 to 90, default 45); the radius of the sun's disc (0 to 10, default 0.2666; 0: a point);
+   * the azimuth of the scene's y axis (default 0).
    */
   vtkSetMacro(SunAzimuth, double);
   vtkGetMacro(SunAzimuth, double);
   vtkSetMacro(SunAltitude, double);
   vtkGetMacro(SunAltitude, double);
+  vtkSetMacro(SunAngularRadius, double);
+  vtkGetMacro(SunAngularRadius, double);
+  vtkSetMacro(North, double);
+  vtkGetMacro(North, double);
   /// @}
 
   /// @{
   /**
-   * Degrees, north positive (-90 to 90) and east positive (-180 to 360), and by how many hours
-   * local time is ahead of UT (-7: mountain time; -14 to 14). Default 0 each.
+   * Degrees, north positive (-90 to 90) and east positive (-180 to 360); by how many hours local
+   * time is ahead of UT (-7: mountain time; -14 to 14); default 0 each. Local time, as
+   * 2024-06-21 12:00 or 2024-06-21 12:00:30, of 1901 to 2099; default: none.
    */
   vtkSetMacro(Latitude, double);
   vtkGetMacro(Latitude, double);
@@ -151,18 +147,8 @@ public:
   vtkGetMacro(Longitude, double);
   vtkSetMacro(TimeZone, double);
   vtkGetMacro(TimeZone, double);
-  /// @}
-
-  /// @{
-  /** Local time, as 2024-06-21 12:00 or 2024-06-21 12:00:30, of 1901 to 2099. Default: none. */
   vtkSetStringMacro(DateTime);
   vtkGetStringMacro(DateTime);
-  /// @}
-
-  /// @{
-  /** The azimuth of the scene's y axis, degrees from north over east. Default 0. */
-  vtkSetMacro(North, double);
-  vtkGetMacro(North, double);
   /// @}
 
   /// @{
@@ -206,22 +192,13 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
 
-  int SkyModel = Perez;
-  int CIEType = 12;
-  double DirectNormalIrradiance = 0;
-  double DiffuseHorizontalIrradiance = 100;
-  double SunAngularRadius = 0.2666;
-  int SunFrom = Angles;
-  double SunAzimuth = 180;
-  double SunAltitude = 45;
-  double Latitude = 0;
-  double Longitude = 0;
-  double TimeZone = 0;
-  char* DateTime = nullptr;
-  double North = 0;
+  int SkyModel = Perez, CIEType = 12, SunFrom = Angles;
+  double DirectNormalIrradiance = 0, DiffuseHorizontalIrradiance = 100;
+  double SunAzimuth = 180, SunAltitude = 45, SunAngularRadius = 0.2666, North = 0;
+  double Latitude = 0, Longitude = 0, TimeZone = 0;
   vtkTypeBool Ground = true;
   double GroundReflectance = 0.2;
-  char* WeatherFileName = nullptr;
+  char *DateTime = nullptr, *WeatherFileName = nullptr;
   double Bounds[6] = { 1, -1, 1, -1, 1, -1 };
 
 private:

@@ -92,7 +92,7 @@ public:
   {
     return estimator_->staleIrradiance(cell, band);
   }
-  /// StaleWalks::gainBound() in watts.
+  /// StalePower::gain in watts.
   double staleGainBound(int band) const { return watts(walks_.staleGainBound(band)); }
   bool hasLights() const { return !walks_.isEmpty(); }
   const PowerBalance& balance() const { return walks_.balance(); }

@@ -37,7 +37,7 @@ void check(const PhotometricFile& file)
   {
     require(value >= 0 && std::isfinite(value), "a value");
   }
-  require(fluxOf(polar, azimuth, file.table.values) > 0, "flux");
+  require(file.table.flux() > 0, "flux");
   require(!file.opening.name().empty(), "name");
   const std::vector<Facet> facets = litFacets(file.opening, file.table);
   require(facets.empty() == (file.opening.shape == LuminousOpening::Shape::Point), "facets");

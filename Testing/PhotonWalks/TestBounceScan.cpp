@@ -548,7 +548,7 @@ bool isFlagged(const BouncePage& page, const TestedBody& tested)
   NearBody near[PageScan::kMostParts];
   const PageScan scan{ pages, 1, nullptr, {}, &tested.body, &tested.ball, 1, tested.ball.isSmall(),
     kStretch, near, flagged };
-  IRRADIANCE_CALL_BEST(scanPages, scan);
+  bounceLoops().scanPages(scan);
   return (flagged[0] & 1) != 0;
 }
 
@@ -682,7 +682,7 @@ std::vector<std::uint16_t> flaggedIn(
   NearBody near[PageScan::kMostParts * kBodies];
   const PageScan scan{ pages, 1, nullptr, {}, bodies.data(), balls.data(), kBodies, ball.isSmall(),
     stretches.data(), near, flagged.data() };
-  IRRADIANCE_CALL_BEST(scanPages, scan);
+  bounceLoops().scanPages(scan);
   return flagged;
 }
 

@@ -4,7 +4,7 @@
 
 #include "../RayCasting/TestMeshes.h"
 #include "BounceFront.h"
-#include "History/PointGrid.h"
+#include "History/PageScan.h"
 #include "Kit.h"
 
 namespace irradiance::test
@@ -147,7 +147,7 @@ TEST(GridSegments, AreWhereTheSegmentsAre)
     const PointGrid grid = randomGrid(random);
     BounceFront front = randomFront(random, grid, GridSegments::kSize - 3);
     GridSegments segments;
-    placeOnGrid(grid, front.columns().rays, 0, front.size(), segments);
+    bounceLoops().placeOnGrid(grid, front.columns().rays, 0, front.size(), segments);
     for (std::size_t i = 0; i < front.size(); ++i)
     {
       ASSERT_NO_FATAL_FAILURE(expectStored(grid, front[i], segments, i))
@@ -177,7 +177,7 @@ TEST(GridSegments, AreTheSameOnEveryInstructionSet)
     {
       const SimdLimit limit(level);
       GridSegments segments;
-      placeOnGrid(grid, front.columns().rays, 0, front.size(), segments);
+      bounceLoops().placeOnGrid(grid, front.columns().rays, 0, front.size(), segments);
       first = level == SimdLevel::Plain ? segments : first;
       ASSERT_EQ(std::memcmp(&segments, &first, sizeof first), 0);
     }
@@ -192,11 +192,11 @@ TEST(GridSegments, DoNotDependOnTheirNeighbours)
   BounceFront front = randomFront(random, grid, GridSegments::kSize);
   const BounceColumns columns = front.columns();
   GridSegments together;
-  placeOnGrid(grid, columns.rays, 0, front.size(), together);
+  bounceLoops().placeOnGrid(grid, columns.rays, 0, front.size(), together);
   for (std::size_t i = 0; i < front.size(); ++i)
   {
     GridSegments alone;
-    placeOnGrid(grid, columns.rays, i, 1, alone);
+    bounceLoops().placeOnGrid(grid, columns.rays, i, 1, alone);
     EXPECT_EQ(alone.states[0], together.states[i]);
     for (int column = 0; column < 6; ++column)
     {
@@ -222,8 +222,8 @@ TEST(GridSegments, ScaleWithTheScene)
       scaledFront.add(segment);
     }
     GridSegments segments, scaled;
-    placeOnGrid(grid, front.columns().rays, 0, front.size(), segments);
-    placeOnGrid(scaledGrid, scaledFront.columns().rays, 0, front.size(), scaled);
+    bounceLoops().placeOnGrid(grid, front.columns().rays, 0, front.size(), segments);
+    bounceLoops().placeOnGrid(scaledGrid, scaledFront.columns().rays, 0, front.size(), scaled);
     EXPECT_EQ(std::memcmp(&segments, &scaled, sizeof scaled), 0);
   }
 }

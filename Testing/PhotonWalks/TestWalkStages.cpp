@@ -55,7 +55,7 @@ enum class Bounces
 
 std::uint32_t bounceOf(Bounces bounces, std::uint32_t i)
 {
-  static_assert(BounceKeys::kUsualBounces == 32);
+  static_assert(SobolSequence::kKnownBounces == 32);
   const std::uint32_t mixed = i * 7 % 50, few = i * 7 % 31;
   const std::uint32_t runs[] = { 2, few, mixed, 30, 31 };
   return bounces == Bounces::Same ? 3

@@ -3,10 +3,12 @@
 #define irradiance_NamedArray_h
 
 #include "Exposure/ReplicateSums.h"
+#include "Progress/InputError.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
 
 #include <algorithm>
 #include <string>
@@ -35,6 +37,40 @@ void addTuple(vtkFieldData* fields, const std::string& name,
 {
   const auto array = addArray<Array>(fields, name, static_cast<int>(tuple.size()), 1);
   std::copy(tuple.begin(), tuple.end(), array->GetPointer(0));
+}
+
+/// Adds an array of one component.
+inline void addColumn(
+  vtkFieldData* fields, const std::string& name, const std::vector<double>& values)
+{
+  const auto array =
+    addArray<vtkDoubleArray>(fields, name, 1, static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+}
+
+/// Adds an array of one text, unless that is empty.
+inline void addText(vtkFieldData* fields, const std::string& name, const std::string& text)
+{
+  if (!text.empty())
+  {
+    addArray<vtkStringArray>(fields, name, 1, 1)->SetValue(0, text);
+  }
+}
+
+/// All values of a field-data array of one component. Throws InputError; `missing`: if there is none.
+inline std::vector<double> columnOf(
+  const std::string& where, vtkFieldData* fields, const char* name, const std::string& missing)
+{
+  vtkDataArray* const array = fields->GetArray(name);
+  throwIf(!array, where, missing);
+  throwIf(array->GetNumberOfComponents() != 1, where, ": the field-data array ", name, " has ",
+    array->GetNumberOfComponents(), " components; 1 is possible");
+  std::vector<double> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    values[i] = array->GetComponent(static_cast<vtkIdType>(i), 0);
+  }
+  return values;
 }
 
 /// The values of an array as doubles; they share it if it has doubles. Null for null.

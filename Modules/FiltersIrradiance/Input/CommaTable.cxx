@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/CommaTable.h"
 
-#include "Progress/InputError.h"
-
 #include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
@@ -45,18 +43,18 @@ CommaTable::CommaTable(const std::string& fileName, bool ignoresCase)
   : fileName_(fileName)
   , stream_(fileName)
 {
-  throwIf(!stream_, "the file " + fileName + " cannot be read");
+  throwIf(!stream_, "the file ", fileName, " cannot be read");
   std::error_code unknown; // such as the length of a pipe
   length_ = std::filesystem::file_size(fileName, unknown);
   length_ = unknown ? 0 : length_;
-  throwIf(!next(), "the file " + fileName + " is empty; its first line has to name the columns");
+  throwIf(!next(), "the file ", fileName, " is empty; its first line has to name the columns");
   for (std::size_t i = 0; i < cells_.size(); ++i)
   {
     std::string& name = cells_[i];
     constexpr const char* kMark = "\xef\xbb\xbf"; // with which some programs begin text
     name = name.rfind(kMark, 0) == 0 ? trimmed(name.substr(3)) : name;
     name = ignoresCase ? vtksys::SystemTools::LowerCase(name) : name;
-    throwIf(!columns_.emplace(name, i).second, where() + ": two columns are named " + name);
+    failIf(!columns_.emplace(name, i).second, ": two columns are named ", name);
   }
   header_ = where();
 }
@@ -68,7 +66,7 @@ bool CommaTable::next()
   {
     if (!std::getline(stream_, line))
     {
-      throwIf(stream_.bad(), "the file " + fileName_ + " cannot be read");
+      throwIf(stream_.bad(), "the file ", fileName_, " cannot be read");
       return false;
     }
     ++line_;
@@ -81,8 +79,7 @@ bool CommaTable::next()
 
 double CommaTable::progress() const
 {
-  return read_ < length_ ? static_cast<double>(read_) / static_cast<double>(length_)
-                         : (length_ > 0 ? 1.0 : 0.0);
+  return length_ > 0 ? std::min(1.0, static_cast<double>(read_) / static_cast<double>(length_)) : 0;
 }
 
 bool CommaTable::hasAny(const std::vector<std::string>& columns) const
@@ -95,18 +92,14 @@ void CommaTable::require(const std::vector<std::string>& columns) const
 {
   for (const std::string& column : columns)
   {
-    throwIf(!has(column), header_ + ": there is no column " + column);
+    throwIf(!has(column), header_, ": there is no column ", column);
   }
 }
 
 const std::string& CommaTable::cell(const std::string& column) const
 {
   const std::size_t i = columns_.at(column);
-  if (i >= cells_.size())
-  {
-    throw InputError(where() + " has " + std::to_string(cells_.size()) +
-      " values and none in the column " + column);
-  }
+  failIf(i >= cells_.size(), " has ", cells_.size(), " values and none in the column ", column);
   return cells_[i];
 }
 
@@ -117,14 +110,9 @@ double CommaTable::value(const std::string& column) const
   const char* end = text.data() + text.size();
   double number = 0;
   const auto read = std::from_chars(begin, end, number); // the same in every locale
-  if (read.ec != std::errc() || read.ptr != end)
-  {
-    throw InputError(where() + ", column " + column + ": \"" + text + "\" is not a number");
-  }
-  if (!std::isfinite(number))
-  {
-    throw InputError(where() + ", column " + column + ": " + text + " is not finite");
-  }
+  failIf(read.ec != std::errc() || read.ptr != end, ", column ", column, ": \"", text,
+    "\" is not a number");
+  failIf(!std::isfinite(number), ", column ", column, ": ", text, " is not finite");
   return number;
 }
 

@@ -2,6 +2,8 @@
 #ifndef irradiance_CommaTable_h
 #define irradiance_CommaTable_h
 
+#include "Progress/InputError.h"
+
 #include <cstdint>
 #include <fstream>
 #include <map>
@@ -26,6 +28,12 @@ public:
   /// What was read of the file, 0..1; 0 if its length is not known.
   double progress() const;
   std::string where() const { return "line " + std::to_string(line_) + " of " + fileName_; }
+  /// Throws InputError that begins with where().
+  template <class... Parts>
+  void failIf(bool isWrong, const Parts&... parts) const
+  {
+    throwIf(isWrong, "line ", line_, " of ", fileName_, parts...);
+  }
 
   bool has(const std::string& column) const { return columns_.count(column) > 0; }
   bool hasAny(const std::vector<std::string>& columns) const;

@@ -3,7 +3,6 @@
 
 #include "Input/CommaTable.h"
 #include "Input/Pose.h"
-#include "Progress/InputError.h"
 
 #include <array>
 
@@ -39,10 +38,7 @@ AffineMap readQuaternion(const CommaTable& table)
   const Eigen::Quaterniond rotation(
     table.value("qw"), table.value("qx"), table.value("qy"), table.value("qz"));
   const double norm = rotation.norm();
-  if (!(norm > 0))
-  {
-    throw InputError(table.where() + ": the quaternion is 0");
-  }
+  table.failIf(!(norm > 0), ": the quaternion is 0");
   return { Eigen::Quaterniond(rotation.coeffs() / norm).toRotationMatrix(),
     values(table, { "x", "y", "z" }) };
 }
@@ -75,16 +71,14 @@ ReadPose readerFor(const CommaTable& table)
   const bool hasDegrees = table.hasAny(degrees), hasQuaternion = table.hasAny(quaternion);
   if (table.hasAny(matrix))
   {
-    throwIf(table.hasAny(place) || hasDegrees || hasQuaternion,
-      table.where() +
-        ": there are columns of a matrix and others of a position or a rotation; "
-        "which are meant?");
+    table.failIf(table.hasAny(place) || hasDegrees || hasQuaternion,
+      ": there are columns of a matrix and others of a position or a rotation; which are meant?");
     table.require(matrix);
     return readMatrix;
   }
   table.require(place);
-  throwIf(hasDegrees && hasQuaternion,
-    table.where() + ": there are columns of angles and of a quaternion; which are meant?");
+  table.failIf(hasDegrees && hasQuaternion,
+    ": there are columns of angles and of a quaternion; which are meant?");
   table.require(hasDegrees ? degrees : hasQuaternion ? quaternion : place);
   return hasDegrees ? readDegrees : hasQuaternion ? readQuaternion : readPosition;
 }

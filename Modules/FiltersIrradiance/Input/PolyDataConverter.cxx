@@ -13,7 +13,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <iterator>
 #include <optional>
 #include <sstream>
 
@@ -34,10 +33,7 @@ public:
     , arrays_(arrays)
     , defaultReflectance_(defaultReflectance)
     , target_(target)
-    , bands_(target.material.bands)
     , pace_(cancelPoint)
-    , ghosts_(input->GetCellGhostArray())
-    , firstCell_(target.material.numberOfCells)
   {
   }
 
@@ -50,14 +46,13 @@ public:
     for (vtkCellArray* cells :
       { input_->GetVerts(), input_->GetLines(), input_->GetPolys(), input_->GetStrips() })
     {
-      throwIf(!cells->IsValid(), where_ + ": the offsets of a cell array are not valid");
+      throwIf(!cells->IsValid(), where_, ": the offsets of a cell array are not valid");
     }
-    luminaire_ = LuminaireFields::of(where_, input_, bands_);
+    luminaire_ = readLuminaires(where_, input_, bands_);
     for (const MaterialArray light : { Exitance, Flux })
     {
-      throwIf(luminaire_ && arrays_[light],
-        where_ + ": has a table of radiant intensity and a " + kArrayMeanings[light] +
-          "; only one of them can give its light");
+      throwIf(luminaire_ && arrays_[light], where_, ": has a table of radiant intensity and a ",
+        kArrayMeanings[light], "; only one of them can give its light");
     }
     makeRoom();
     const std::size_t firstTriangle = target_.triangles.size();
@@ -80,7 +75,7 @@ public:
     checkMisplaced();
     if (luminaire_)
     {
-      luminaire_->addTo(target_, firstCell_, firstTriangle);
+      addLuminaires(*luminaire_, firstCell_, firstTriangle, target_);
     }
     return warnings();
   }
@@ -100,29 +95,18 @@ private:
     {
       return;
     }
-    const vtkIdType cells = input_->GetNumberOfCells();
     const bool mayHaveThree = number != Exponent;
-    std::ostringstream message, shape;
-    message << where_ << ": the array " << (array->GetName() ? array->GetName() : "(unnamed)")
-            << " (" << kArrayMeanings[number] << ") has ";
-    shape << "; in NumPy its shape is (" << cells << ",)";
-    if (mayHaveThree)
-    {
-      shape << " or (" << cells << ", 3)";
-    }
+    const vtkIdType tuples = array->GetNumberOfTuples();
     const int components = array->GetNumberOfComponents();
-    if (array->GetNumberOfTuples() != cells)
-    {
-      message << array->GetNumberOfTuples() << " tuples for " << cells << " cells" << shape.str();
-      throw InputError(message.str());
-    }
-    if (components != 1 && !(mayHaveThree && components == 3))
-    {
-      message << components << " components; "
-              << (mayHaveThree ? "1 or 3 are possible" : "1 is possible") << shape.str()
-              << ", and append() repeats an array of any other length in each cell";
-      throw InputError(message.str());
-    }
+    const vtkIdType cells = input_->GetNumberOfCells();
+    const std::string has = joined(where_, ": the array ",
+      array->GetName() ? array->GetName() : "(unnamed)", " (", kArrayMeanings[number], ") has ");
+    const std::string shape = joined(
+      "; in NumPy its shape is (", cells, ",)", mayHaveThree ? joined(" or (", cells, ", 3)") : "");
+    throwIf(tuples != cells, has, tuples, " tuples for ", cells, " cells", shape);
+    throwIf(components != 1 && !(mayHaveThree && components == 3), has, components, " components; ",
+      mayHaveThree ? "1 or 3 are possible" : "1 is possible", shape,
+      ", and append() repeats an array of any other length in each cell");
   }
 
   void makeRoom()
@@ -174,7 +158,7 @@ private:
       for (int band = 0; band < bands_; ++band)
       {
         const double flux = luminaire_
-          ? luminaire_->flux()[static_cast<std::size_t>(band)]
+          ? luminaire_->flux[static_cast<std::size_t>(band)]
           : checked("radiant flux", value(arrays_[Flux], band), kBrightest, " W");
         light.flux.push_back(flux / static_cast<double>(count));
         total += flux;
@@ -246,21 +230,15 @@ private:
       if (arrays_[Specular])
       {
         const double specular = checked("specular reflectance", value(arrays_[Specular], band), 1);
-        if (!(diffuse + specular <= 1 + kRounding))
-        {
-          fail("diffuse reflectance " + text(diffuse) + " and specular reflectance " +
-            text(specular) + " add up to more than 1");
-        }
+        failIf(!(diffuse + specular <= 1 + kRounding), "diffuse reflectance ", diffuse,
+          " and specular reflectance ", specular, " add up to more than 1");
         target_.specular[slotOf(band)] = std::min(specular, 1 - diffuse);
       }
     }
     if (arrays_[Exponent])
     {
       const double exponent = value(arrays_[Exponent], 0);
-      if (!(exponent >= 0))
-      {
-        fail("Phong exponent " + text(exponent) + " is not 0 or more");
-      }
+      failIf(!(exponent >= 0), "Phong exponent ", exponent, " is not 0 or more");
       if (!target_.specular.empty())
       {
         target_.exponents[cellOfTarget()] = exponent;
@@ -270,14 +248,11 @@ private:
 
   void readPoints(vtkIdType count, const vtkIdType* ids)
   {
+    const vtkIdType points = input_->GetNumberOfPoints();
     corners_.resize(static_cast<std::size_t>(count));
     for (std::size_t i = 0; i < corners_.size(); ++i)
     {
-      if (ids[i] < 0 || ids[i] >= input_->GetNumberOfPoints())
-      {
-        fail("refers to point " + std::to_string(ids[i]) + " of " +
-          std::to_string(input_->GetNumberOfPoints()));
-      }
+      failIf(ids[i] < 0 || ids[i] >= points, "refers to point ", ids[i], " of ", points);
       Vector3& point = corners_[i];
       input_->GetPoint(ids[i], point.data());
       if (!point.allFinite() || !(point.cwiseAbs().maxCoeff() <= kMostDistant))
@@ -286,7 +261,7 @@ private:
         message << "point " << ids[i]
                 << (point.allFinite() ? " is out of range (" : " is not finite (")
                 << point.transpose() << ")";
-        fail(message.str());
+        failIf(true, message.str());
       }
     }
   }
@@ -295,25 +270,21 @@ private:
   void checkMisplaced() const
   {
     const bool hasSurface = input_->GetNumberOfPolys() + input_->GetNumberOfStrips() > 0;
-    if (fluxElsewhere_.cells > 0 && input_->GetNumberOfVerts() == 0)
-    {
-      failAt(fluxElsewhere_.firstCell,
-        "has a radiant flux but is no vertex; surfaces emit by their radiant exitance, W/m2");
-    }
-    if (exitanceElsewhere_.cells > 0 && !hasSurface)
-    {
-      failAt(exitanceElsewhere_.firstCell,
-        "has a radiant exitance but no surface; vertices emit by their radiant flux, W");
-    }
+    throwIf(fluxElsewhere_.cells > 0 && input_->GetNumberOfVerts() == 0, where_, ", cell ",
+      fluxElsewhere_.firstCell,
+      ": has a radiant flux but is no vertex; surfaces emit by their radiant exitance, W/m2");
+    throwIf(exitanceElsewhere_.cells > 0 && !hasSurface, where_, ", cell ",
+      exitanceElsewhere_.firstCell,
+      ": has a radiant exitance but no surface; vertices emit by their radiant flux, W");
   }
 
   std::vector<InputWarning> warnings() const
   {
-    std::vector<InputWarning> warnings;
-    const std::vector<InputWarning> odd{ withoutArea_, crossed_, fluxElsewhere_,
+    std::vector<InputWarning> warnings{ withoutArea_, crossed_, fluxElsewhere_,
       exitanceElsewhere_ };
-    std::copy_if(odd.begin(), odd.end(), std::back_inserter(warnings),
-      [](const InputWarning& warning) { return warning.cells > 0; });
+    warnings.erase(std::remove_if(warnings.begin(), warnings.end(),
+                     [](const InputWarning& warning) { return warning.cells == 0; }),
+      warnings.end());
     if (arrays_[Exponent] && !arrays_[Specular])
     {
       warnings.push_back(
@@ -354,17 +325,14 @@ private:
 
   double checked(const char* name, double value, double most, const char* unit = "") const
   {
-    if (!(value >= 0 && value <= most))
-    {
-      fail(std::string(name) + " " + text(value) + unit + " is not within 0.." + text(most));
-    }
+    failIf(!(value >= 0 && value <= most), name, " ", value, unit, " is not within 0..", most);
     return value;
   }
 
-  [[noreturn]] void fail(const std::string& what) const { failAt(cell_, what); }
-  [[noreturn]] void failAt(vtkIdType cell, const std::string& what) const
+  template <class... Parts>
+  void failIf(bool isWrong, const Parts&... parts) const
   {
-    throw InputError(where_ + ", cell " + std::to_string(cell) + ": " + what);
+    throwIf(isWrong, where_, ", cell ", cell_, ": ", parts...);
   }
 
   const std::string& where_;
@@ -372,11 +340,11 @@ private:
   const MaterialArrays<vtkDataArray>& arrays_;
   double defaultReflectance_;
   ConvertedPolyData& target_;
-  int bands_;
+  const int bands_ = target_.material.bands;
+  const std::size_t firstCell_ = target_.material.numberOfCells; ///< in the target
+  vtkUnsignedCharArray* const ghosts_ = input_->GetCellGhostArray();
   ThrottledCancelPoint pace_;
-  vtkUnsignedCharArray* ghosts_;
-  std::size_t firstCell_; ///< in the target
-  vtkIdType cell_ = 0;    ///< the cell being read, by VTK's number
+  vtkIdType cell_ = 0; ///< the cell being read, by VTK's number
   std::optional<LuminaireFields> luminaire_;
   std::vector<Vector3> corners_;
   /// Each counts the cells that it is about.

@@ -100,7 +100,7 @@ int SceneReader::countBands(const SceneInputs& inputs)
   for (const InputPart* part : allPartsOf(inputs))
   {
     bands =
-      std::max({ bands, LuminaireFields::bandsOf(part->polyData), bandsOfSky(part->polyData) });
+      std::max({ bands, bandsOfLuminaires(part->polyData), bandsOfSky(part->polyData) });
     for (std::size_t i = 0; i < part->arrays.size(); ++i)
     {
       vtkAbstractArray* array = part->arrays[i];

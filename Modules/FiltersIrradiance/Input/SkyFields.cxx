@@ -2,7 +2,7 @@
 #include "Input/SkyFields.h"
 
 #include "Data/ArrayNames.h"
-#include "Progress/InputError.h"
+#include "Data/NamedArray.h"
 #include "Sampling/DirectionTable.h"
 
 #include "vtkDataArray.h"
@@ -30,50 +30,38 @@ public:
   }
 
   bool has(const char* name) const { return fields_->GetArray(name) != nullptr; }
-
-  /// All values of an array of one component.
-  std::vector<double> numbers(const char* name) const
+  std::vector<double> column(const char* name) const
   {
-    vtkDataArray* const array = found(name);
-    throwIf(array->GetNumberOfComponents() != 1,
-      where_ + ": the field-data array " + name + " has " +
-        std::to_string(array->GetNumberOfComponents()) + " components; 1 is possible");
-    std::vector<double> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-      values[i] = array->GetComponent(static_cast<vtkIdType>(i), 0);
-    }
-    return values;
+    return columnOf(where_, fields_, name, missing(name));
   }
 
-  /// The one tuple of an array, of this many finite numbers; where one will do, it is repeated.
-  std::vector<double> tuple(const char* name, std::size_t size, bool mayBeOne, double least) const
+  /// The one tuple of an array, of this many finite numbers. Amounts are 0 or more, and a single one
+  /// is repeated.
+  std::vector<double> tuple(const char* name, std::size_t size, bool areAmounts = false) const
   {
-    vtkDataArray* const array = found(name);
+    constexpr double kMost = 1e30;
+    const double least = areAmounts ? 0 : -kMost;
+    vtkDataArray* const array = fields_->GetArray(name);
+    throwIf(!array, where_, missing(name));
     const auto components = static_cast<std::size_t>(array->GetNumberOfComponents());
+    const std::string what = where_ + ": the field-data array " + name;
     throwIf(
-      array->GetNumberOfTuples() != 1 || !(components == size || (mayBeOne && components == 1)),
-      where_ + ": the field-data array " + name + " is not one tuple of " + std::to_string(size) +
-        " components");
+      array->GetNumberOfTuples() != 1 || !(components == size || (areAmounts && components == 1)),
+      what, " is not one tuple of ", size, " components");
     std::vector<double> values;
     for (std::size_t i = 0; i < size; ++i)
     {
       values.push_back(array->GetComponent(0, components == 1 ? 0 : static_cast<int>(i)));
-      throwIf(!(values.back() >= least && values.back() <= kMost),
-        where_ + ": the field-data array " + name + " has the value " + text(values.back()) +
-          ", which is not within " + text(least) + ".." + text(kMost));
+      throwIf(!(values.back() >= least && values.back() <= kMost), what, " has the value ",
+        values.back(), ", which is not within ", least, "..", kMost);
     }
     return values;
   }
 
-  static constexpr double kMost = 1e30;
-
 private:
-  vtkDataArray* found(const char* name) const
+  static std::string missing(const char* name)
   {
-    vtkDataArray* const array = fields_->GetArray(name);
-    throwIf(!array, where_ + ": has a sky, but not the field-data array " + name);
-    return array;
+    return std::string(": has a sky, but not the field-data array ") + name;
   }
 
   const std::string& where_;
@@ -88,9 +76,9 @@ bool isDark(const std::vector<double>& values)
 Box withMargin(const std::string& where, Box box)
 {
   constexpr double kMargin = 0.1; // of the diagonal
-  throwIf(box.isEmpty() || !(box.extent().norm() > 0),
-    where + ": has a sky, but nothing static tells where its light is wanted; set " + kSkyBounds +
-      " (Bounds of vtkSunSkySource)");
+  throwIf(box.isEmpty() || !(box.extent().norm() > 0), where,
+    ": has a sky, but nothing static tells where its light is wanted; set ", kSkyBounds,
+    " (Bounds of vtkSunSkySource)");
   box.inflate(kMargin * box.extent().norm());
   return box;
 }
@@ -124,9 +112,9 @@ std::shared_ptr<const Sky> readSky(
   Sky sky;
   if (fields.has(kSkyRadiance))
   {
-    sky.radiance = fields.numbers(kSkyRadiance);
-    sky.polarAngles = fields.numbers(kSkyPolarAngles);
-    sky.azimuths = fields.numbers(kSkyAzimuths);
+    sky.radiance = fields.column(kSkyRadiance);
+    sky.polarAngles = fields.column(kSkyPolarAngles);
+    sky.azimuths = fields.column(kSkyAzimuths);
     try
     {
       const DirectionTable check(sky.polarAngles, sky.azimuths, sky.radiance);
@@ -135,7 +123,7 @@ std::shared_ptr<const Sky> readSky(
     {
       throw InputError(where + ": of the table " + kSkyRadiance + ", " + error.what());
     }
-    sky.bandWeights = fields.has(kSkyWeights) ? fields.tuple(kSkyWeights, count, true, 0)
+    sky.bandWeights = fields.has(kSkyWeights) ? fields.tuple(kSkyWeights, count, true)
                                               : std::vector<double>(count, 1);
     if (isDark(sky.radiance) || isDark(sky.bandWeights))
     {
@@ -144,23 +132,22 @@ std::shared_ptr<const Sky> readSky(
   }
   if (fields.has(kSunIrradiance))
   {
-    sky.sunIrradiance = fields.tuple(kSunIrradiance, count, true, 0);
+    sky.sunIrradiance = fields.tuple(kSunIrradiance, count, true);
     if (isDark(sky.sunIrradiance))
     {
       sky.sunIrradiance.clear();
     }
     else
     {
-      const std::vector<double> towards = fields.tuple(kSunDirection, 3, false, -SkyFields::kMost);
+      const std::vector<double> towards = fields.tuple(kSunDirection, 3);
       sky.towardsSun = Vector3(towards[0], towards[1], towards[2]).normalized();
-      throwIf(!(sky.towardsSun.norm() > 0.5),
-        where + ": the field-data array " + kSunDirection + " is 0 0 0, no direction");
+      throwIf(!(sky.towardsSun.norm() > 0.5), where, ": the field-data array ", kSunDirection,
+        " is 0 0 0, no direction");
       constexpr double kWidest = 45; // degrees
       const double degrees =
-        fields.has(kSunAngularRadius) ? fields.tuple(kSunAngularRadius, 1, true, 0).front() : 0;
-      throwIf(!(degrees <= kWidest),
-        where + ": the field-data array " + kSunAngularRadius + " is " + text(degrees) +
-          " degrees; at most " + text(kWidest) + " are possible");
+        fields.has(kSunAngularRadius) ? fields.tuple(kSunAngularRadius, 1, true).front() : 0;
+      throwIf(!(degrees <= kWidest), where, ": the field-data array ", kSunAngularRadius, " is ",
+        degrees, " degrees; at most ", kWidest, " are possible");
       sky.sunRadius = degrees * kPi / 180;
     }
   }
@@ -170,11 +157,10 @@ std::shared_ptr<const Sky> readSky(
   }
   if (fields.has(kSkyBounds))
   {
-    const std::vector<double> bounds = fields.tuple(kSkyBounds, 6, false, -SkyFields::kMost);
+    const std::vector<double> bounds = fields.tuple(kSkyBounds, 6);
     sky.lit = { { bounds[0], bounds[2], bounds[4] }, { bounds[1], bounds[3], bounds[5] } };
-    throwIf(!(sky.lit.extent().minCoeff() > 0),
-      where + ": the field-data array " + kSkyBounds +
-        " is not xmin xmax ymin ymax zmin zmax of a box");
+    throwIf(!(sky.lit.extent().minCoeff() > 0), where, ": the field-data array ", kSkyBounds,
+      " is not xmin xmax ymin ymax zmin zmax of a box");
   }
   else
   {

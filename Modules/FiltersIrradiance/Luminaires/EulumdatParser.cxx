@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Luminaires/PhotometricFile.h"
 
-#include "Progress/InputError.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -12,44 +10,30 @@ namespace irradiance
 namespace
 {
 
-/// The lines of the head as the format counts them, from 1.
-class EulumdatHead
+/// Lines of the head have their numbers of the format, from 1.
+NumberReader numberAt(const PhotometricText& text, std::size_t line)
 {
-public:
-  explicit EulumdatHead(const PhotometricText& text)
-    : text_(text)
-  {
-  }
+  text.failIf(text.line(line - 1).empty(), line - 1,
+    "a number has to be here in EULUMDAT; in IES a line begins with TILT=");
+  return { text, line - 1, " \t" };
+}
 
-  std::string words(std::size_t line) const { return std::string(text_.line(line - 1)); }
-  NumberReader at(std::size_t line) const
-  {
-    if (text_.line(line - 1).empty())
-    {
-      text_.fail(line - 1, "a number has to be here in EULUMDAT; in IES a line begins with TILT=");
-    }
-    return { text_, line - 1, " \t" };
-  }
-  /// An empty line is 0.
-  double length(std::size_t line, const char* name) const
-  {
-    return text_.line(line - 1).empty() ? 0 : at(line).next(name, 0);
-  }
-
-private:
-  const PhotometricText& text_;
-};
+/// An empty line is 0.
+double lengthAt(const PhotometricText& text, std::size_t line, const char* name)
+{
+  return text.line(line - 1).empty() ? 0 : numberAt(text, line).next(name, 0);
+}
 
 /// The length lies along y, as C90 does.
-LuminousOpening eulumdatOpening(const EulumdatHead& head)
+LuminousOpening eulumdatOpening(const PhotometricText& text)
 {
   constexpr double kMillimetre = 0.001;
-  const double length = head.length(16, "length or diameter of the luminous area") * kMillimetre;
-  const double width = head.length(17, "width of the luminous area") * kMillimetre;
+  const double length = lengthAt(text, 16, "length or diameter of the luminous area") * kMillimetre;
+  const double width = lengthAt(text, 17, "width of the luminous area") * kMillimetre;
   double height = 0;
   for (const std::size_t line : { 18, 19, 20, 21 })
   {
-    height = std::max(height, head.length(line, "height of the luminous area") * kMillimetre);
+    height = std::max(height, lengthAt(text, line, "height of the luminous area") * kMillimetre);
   }
   using Shape = LuminousOpening::Shape;
   const bool isRound = width == 0 && length > 0;
@@ -86,13 +70,9 @@ StoredAngles storedPlanes(
     }
   }
   const std::size_t stored = listed.size() / (symmetry == 4 ? 4 : 2) + 1;
-  if (angles.size() != stored || angles.front() != first || angles.back() != last)
-  {
-    numbers.fail("of the " + std::to_string(listed.size()) + " C angles " +
-      std::to_string(angles.size()) + " are from " + text(first) + " to " + text(last) +
-      "; with the symmetry " + std::to_string(symmetry) + " they are to be " +
-      std::to_string(stored) + ", with both of these");
-  }
+  numbers.failIf(angles.size() != stored || angles.front() != first || angles.back() != last,
+    "of the ", listed.size(), " C angles ", angles.size(), " are from ", first, " to ", last,
+    "; with the symmetry ", symmetry, " they are to be ", stored, ", with both of these");
   StoredAngles around(angles);
   around.mirrorAtLast();
   if (symmetry == 4)
@@ -102,16 +82,15 @@ StoredAngles storedPlanes(
   return around;
 }
 
-void warnOfOutputRatio(
-  PhotometricFile& file, const PhotometricText& text, double perCent, double stated)
+void warnOfOutputRatio(PhotometricFile& file, const PhotometricText& text, double stated)
 {
+  const double perCent = file.table.flux() / 10; // of cd/klm
   const bool differs = stated > 0 && std::abs(perCent - stated) > 5;
   if (differs || perCent > 105)
   {
-    file.warnings.push_back(text.fileName() + ": the table holds " + irradiance::text(perCent) +
-      " % of the lamps' lumens, and the light output ratio is " + irradiance::text(stated) +
-      " %; the table counts" +
-      (perCent > 105 ? " (are its values candela in place of cd/klm?)" : ""));
+    file.warnings.push_back(joined(text.fileName(), ": the table holds ", perCent,
+      " % of the lamps' lumens, and the light output ratio is ", stated, " %; the table counts",
+      perCent > 105 ? " (are its values candela in place of cd/klm?)" : ""));
   }
 }
 
@@ -119,45 +98,34 @@ void warnOfOutputRatio(
 
 PhotometricFile parseEulumdat(const PhotometricText& text, int lampSet)
 {
-  const EulumdatHead head(text);
   PhotometricFile file;
-  file.manufacturer = head.words(1);
-  file.luminaire = head.words(9);
-  const std::size_t symmetry = head.at(3).nextCount("EULUMDAT symmetry", 0, 4);
-  const std::size_t planes = head.at(4).nextCount("number of C planes");
-  const std::size_t rows = head.at(6).nextCount("number of gamma angles");
-  file.opening = eulumdatOpening(head);
-  const double ratio = head.length(23, "light output ratio");
-  const double conversion = head.at(24).nextPositive("conversion factor");
-  const std::size_t sets = head.at(26).nextCount("number of lamp sets");
-  throwIf(static_cast<std::size_t>(lampSet) >= sets,
-    "LampSet is " + std::to_string(lampSet) + ", and " + text.fileName() + " has " +
-      std::to_string(sets) + " sets of lamps, counted from 0");
+  file.manufacturer = text.line(0);
+  file.luminaire = text.line(8);
+  const std::size_t symmetry = numberAt(text, 3).nextCount("EULUMDAT symmetry", 0, 4);
+  const std::size_t planes = numberAt(text, 4).nextCount("number of C planes");
+  const std::size_t rows = numberAt(text, 6).nextCount("number of gamma angles");
+  file.opening = eulumdatOpening(text);
+  const double ratio = lengthAt(text, 23, "light output ratio");
+  const double conversion = numberAt(text, 24).nextPositive("conversion factor");
+  const std::size_t sets = numberAt(text, 26).nextCount("number of lamp sets");
+  const auto lampSetNumber = static_cast<std::size_t>(lampSet);
+  throwIf(lampSetNumber >= sets, "LampSet is ", lampSet, ", and ", text.fileName(), " has ", sets,
+    " sets of lamps, counted from 0");
   const std::size_t linesPerSet = 6, firstSet = 27, ratios = 10;
-  const double lumens = head.at(firstSet + static_cast<std::size_t>(lampSet) * linesPerSet + 2)
-                          .nextPositive("lumens of the lamps");
+  const double lumens =
+    numberAt(text, firstSet + lampSetNumber * linesPerSet + 2).nextPositive("lumens of the lamps");
 
   NumberReader numbers(text, firstSet - 1 + sets * linesPerSet + ratios, " \t");
   const StoredAngles around =
     storedPlanes(numbers, symmetry, numbers.nextAngles("C angle", planes, 0, 360, false));
   const std::vector<double> gamma = numbers.nextAngles("gamma angle", rows, 0, 180, true);
-  if (rows < 2)
-  {
-    numbers.fail("there is one gamma angle; two at least are needed");
-  }
+  numbers.failIf(rows < 2, "there is one gamma angle; two at least are needed");
   const std::size_t stored = 1 + *std::max_element(around.stored.begin(), around.stored.end());
   file.table = expandedTable(
     StoredAngles(gamma), around, numbers.lastValues("intensity", rows, stored), 1, rows);
-  for (double& value : file.table.values)
-  {
-    value *= conversion;
-  }
-  warnOfOutputRatio(
-    file, text, fluxOf(file.table.polar, file.table.azimuth, file.table.values) / 10, ratio);
-  for (double& value : file.table.values)
-  {
-    value *= lumens / 1000;
-  }
+  file.table.scale(conversion);
+  warnOfOutputRatio(file, text, ratio);
+  file.table.scale(lumens / 1000);
   return file;
 }
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Luminaires/PhotometricFile.h"
 
-#include "Progress/InputError.h"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace irradiance
 {
@@ -15,14 +14,6 @@ namespace
 {
 
 constexpr const char* kIesSeparators = " \t,";
-
-std::string upperCase(std::string_view text)
-{
-  std::string upper(text);
-  std::transform(upper.begin(), upper.end(), upper.begin(),
-    [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-  return upper;
-}
 
 /// The version of the standard: 1986, 1991, 1995, 2002 or 2019. Other years count as the last
 /// version before them.
@@ -125,13 +116,9 @@ double tiltFactor(
   {
     return factorUntilted(numbers);
   }
-  if (year >= 2019 || name.empty())
-  {
-    text.fail(line,
-      "TILT is \"" + name + "\"; NONE" +
-        (year >= 2019 ? " and INCLUDE are possible in LM-63-2019"
-                      : ", INCLUDE and the name of a file are possible"));
-  }
+  text.failIf(year >= 2019 || name.empty(), line, "TILT is \"", name, "\"; NONE",
+    year >= 2019 ? " and INCLUDE are possible in LM-63-2019"
+                 : ", INCLUDE and the name of a file are possible");
   std::string bytes;
   try
   {
@@ -139,7 +126,7 @@ double tiltFactor(
   }
   catch (const InputError& error)
   {
-    text.fail(line, std::string("TILT: ") + error.what());
+    text.failIf(true, line, "TILT: ", error.what());
   }
   const PhotometricText tilt(text.fileName() + ", TILT=" + name, bytes);
   NumberReader tiltNumbers(tilt, 0, kIesSeparators);
@@ -164,16 +151,14 @@ StoredAngles aroundTypeC(const NumberReader& numbers, const std::vector<double>&
       around.mirrorAtLast();
     }
   }
-  else if (first == 0 && last > 180 &&
-    (gap == 0 || std::abs(gap - angles[1]) < kSame ||
-      std::abs(gap - (last - *(angles.end() - 2))) < kSame))
-  {
-    around.closeIfOpen();
-  }
   else
   {
-    numbers.fail("the horizontal angles go from " + text(first) + " to " + text(last) +
+    const bool isClosing = gap == 0 || std::abs(gap - angles[1]) < kSame ||
+      std::abs(gap - (last - *(angles.end() - 2))) < kSame;
+    numbers.failIf(!(first == 0 && last > 180 && isClosing), "the horizontal angles go from ",
+      first, " to ", last,
       "; possible are 0 to 90, 180, 360 or one step less, 90 to 270, and one angle alone");
+    around.closeIfOpen();
   }
   return around;
 }
@@ -184,7 +169,9 @@ StoredAngles acrossZero(const std::vector<double>& angles)
   StoredAngles across(angles);
   if (angles.front() == 0)
   {
-    across.mirrorAtFirst();
+    across = reversed(across);
+    across.mirrorAtLast();
+    across = reversed(across);
   }
   return across;
 }
@@ -203,25 +190,19 @@ StoredAngles polarAngles(StoredAngles angles)
 IntensityTable readTable(
   NumberReader& numbers, int year, std::size_t type, std::size_t rows, std::size_t planes)
 {
-  struct Range
-  {
-    double low, high;
-  };
+  using Range = std::pair<double, double>;
   const Range half{ -90, 90 }, turn{ -180, 180 };
   // In 1986 types A and C had one number.
   const bool isOldA = type == 1 && year == 1986 && NumberReader(numbers).next("vertical angle") < 0;
   const bool isB = type == 2, isC = type == 1 && !isOldA;
   const Range v = isB ? turn : isC ? Range{ 0, 180 } : half;
   const std::vector<double> vertical =
-    numbers.nextAngles("vertical angle", rows, v.low, v.high, !isB);
+    numbers.nextAngles("vertical angle", rows, v.first, v.second, !isB);
   const Range h = isB ? half : isC ? Range{ 0, 360 } : turn;
   const std::vector<double> horizontal =
-    numbers.nextAngles("horizontal angle", planes, h.low, h.high, isB);
-  if (rows < 2 || (planes < 2 && !isC))
-  {
-    numbers.fail("there are " + std::to_string(rows) + " vertical and " + std::to_string(planes) +
-      " horizontal angles; " + (isC ? "two and one" : "two and two") + " at least are needed");
-  }
+    numbers.nextAngles("horizontal angle", planes, h.first, h.second, isB);
+  numbers.failIf(rows < 2 || (planes < 2 && !isC), "there are ", rows, " vertical and ", planes,
+    " horizontal angles; ", isC ? "two and one" : "two and two", " at least are needed");
   const StoredAngles around = isC ? aroundTypeC(numbers, horizontal) : acrossZero(horizontal);
   const std::vector<double> values = numbers.lastValues("candela value", rows, planes);
   if (isC)
@@ -244,11 +225,8 @@ LuminousOpening readOpening(NumberReader& numbers, int year)
   const double width = numbers.next("width") * metre, length = numbers.next("length") * metre,
                height = numbers.next("height") * metre;
   const std::optional<LuminousOpening> opening = iesOpening(year, width, length, height);
-  if (!opening)
-  {
-    numbers.fail("no luminous opening has the signs of width " + text(width) + ", length " +
-      text(length) + " and height " + text(height) + " m");
-  }
+  numbers.failIf(!opening, "no luminous opening has the signs of width ", width, ", length ",
+    length, " and height ", height, " m");
   return *opening;
 }
 
@@ -279,10 +257,7 @@ PhotometricFile parseIes(const PhotometricText& text, const ReadBeside& readBesi
   numbers.next("input watts");
   file.table = readTable(numbers, year, type, rows, planes);
   factor *= file.unit == "mW/sr" ? 1e-3 : file.unit == "uW/sr" ? 1e-6 : 1;
-  for (double& value : file.table.values)
-  {
-    value *= factor;
-  }
+  file.table.scale(factor);
   if (upperCase(numbers.peek()) == "[ENDBLOCK]")
   {
     file.warnings.push_back(text.fileName() + " has several luminaires; the first one is read");

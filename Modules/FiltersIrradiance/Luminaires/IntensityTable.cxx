@@ -10,24 +10,25 @@
 namespace irradiance
 {
 
-namespace
-{
-
-constexpr double kDegree = kPi / 180;
-
-}
-
 Vector3 IntensityTable::direction(double polarDegrees, double azimuthDegrees) const
 {
+  constexpr double kDegree = kPi / 180;
   const double p = polarDegrees * kDegree, a = azimuthDegrees * kDegree;
   return std::cos(p) * axis +
     std::sin(p) * (std::cos(a) * reference + std::sin(a) * reference.cross(axis));
 }
 
-double fluxOf(const std::vector<double>& polar, const std::vector<double>& azimuth,
-  const std::vector<double>& values)
+double IntensityTable::flux() const
 {
   return DirectionTable(polar, azimuth, values).integral();
+}
+
+void IntensityTable::scale(double factor)
+{
+  for (double& value : values)
+  {
+    value *= factor;
+  }
 }
 
 StoredAngles::StoredAngles(const std::vector<double>& angles)
@@ -45,13 +46,6 @@ void StoredAngles::mirrorAtLast()
     degrees.push_back(2 * mirror - degrees[i]);
     stored.push_back(stored[i]);
   }
-}
-
-void StoredAngles::mirrorAtFirst()
-{
-  *this = reversed(*this);
-  mirrorAtLast();
-  *this = reversed(*this);
 }
 
 void StoredAngles::closeIfOpen()

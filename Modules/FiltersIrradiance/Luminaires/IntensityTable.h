@@ -21,16 +21,14 @@ struct IntensityTable
   Vector3 reference{ 1, 0, 0 };
 
   Vector3 direction(double polarDegrees, double azimuthDegrees) const;
+  /// The exact integral over the sphere.
+  double flux() const;
+  void scale(double factor);
 };
-
-/// The exact integral of such a table over the sphere.
-double fluxOf(const std::vector<double>& polar, const std::vector<double>& azimuth,
-  const std::vector<double>& values);
 
 /// Angles of a table in one direction, and which of the angles in the file each one stands for.
 struct StoredAngles
 {
-  StoredAngles() = default;
   explicit StoredAngles(const std::vector<double>& angles);
 
   std::vector<double> degrees;
@@ -38,7 +36,6 @@ struct StoredAngles
 
   /// What follows the last angle mirrors what is before it.
   void mirrorAtLast();
-  void mirrorAtFirst();
   /// The first angle also follows the last one, a turn later, unless it is there.
   void closeIfOpen();
 };

@@ -134,20 +134,15 @@ std::vector<Facet> ellipsoidFacets(const Vector3& size)
 
 std::vector<Facet> facetsOf(const LuminousOpening& opening)
 {
-  const double height = opening.size[opening.axis];
-  switch (opening.shape)
+  if (opening.shape == Shape::Point || opening.shape == Shape::Ellipsoid)
   {
-    case Shape::Box:
-      return prismFacets(rectangleRing(opening.size), opening.axis, height);
-    case Shape::Cylinder:
-      return prismFacets(
-        ellipseRing(opening.axis, opening.size, height > 0 ? 16 : 32), opening.axis, height);
-    case Shape::Ellipsoid:
-      return ellipsoidFacets(opening.size);
-    case Shape::Point:
-      break;
+    return opening.shape == Shape::Point ? std::vector<Facet>{} : ellipsoidFacets(opening.size);
   }
-  return {};
+  const double height = opening.size[opening.axis];
+  return prismFacets(opening.shape == Shape::Box
+      ? rectangleRing(opening.size)
+      : ellipseRing(opening.axis, opening.size, height > 0 ? 16 : 32),
+    opening.axis, height);
 }
 
 }
@@ -155,16 +150,12 @@ std::vector<Facet> facetsOf(const LuminousOpening& opening)
 std::string LuminousOpening::name() const
 {
   const bool isFlat = size[axis] == 0, isRound = size[(axis + 1) % 3] == size[(axis + 2) % 3];
-  switch (shape)
+  if (shape != Shape::Cylinder)
   {
-    case Shape::Point:
-      return "point";
-    case Shape::Box:
-      return isFlat ? "rectangle" : "box";
-    case Shape::Ellipsoid:
-      return isRound && size[0] == size[2] ? "sphere" : "ellipsoid";
-    case Shape::Cylinder:
-      break;
+    return shape == Shape::Point      ? "point"
+      : shape == Shape::Box           ? (isFlat ? "rectangle" : "box")
+      : isRound && size[0] == size[2] ? "sphere"
+                                      : "ellipsoid";
   }
   if (isFlat)
   {

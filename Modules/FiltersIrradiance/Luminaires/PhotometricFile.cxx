@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Luminaires/PhotometricFile.h"
 
-#include "Progress/InputError.h"
-
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -33,10 +31,9 @@ PhotometricFile parsePhotometricFile(
 {
   PhotometricFile file =
     text.tiltLine() < text.size() ? parseIes(text, readBeside) : parseEulumdat(text, lampSet);
-  const double flux = fluxOf(file.table.polar, file.table.azimuth, file.table.values);
-  throwIf(!(flux > 0 && flux <= std::numeric_limits<double>::max()),
-    text.fileName() + ": the flux of the table is " + irradiance::text(flux) +
-      "; it has to be above 0 and finite");
+  const double flux = file.table.flux();
+  throwIf(!(flux > 0 && flux <= std::numeric_limits<double>::max()), text.fileName(),
+    ": the flux of the table is ", flux, "; it has to be above 0 and finite");
   return file;
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Luminaires/PhotometricText.h"
 
-#include "Progress/InputError.h"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -20,19 +18,12 @@ bool isUtf8(const std::string& text)
   for (const char c : text)
   {
     const auto byte = static_cast<unsigned char>(c);
-    if ((byte & 0xC0) == 0x80)
-    {
-      if (following-- == 0)
-      {
-        return false;
-      }
-      continue;
-    }
-    if (following != 0 || byte >= 0xF8)
+    const bool follows = (byte & 0xC0) == 0x80;
+    if (follows != following > 0 || byte >= 0xF8)
     {
       return false;
     }
-    following = byte < 0x80 ? 0 : byte < 0xE0 ? 1 : byte < 0xF0 ? 2 : 3;
+    following = follows ? following - 1 : byte < 0x80 ? 0 : byte < 0xE0 ? 1 : byte < 0xF0 ? 2 : 3;
   }
   return following == 0;
 }
@@ -43,23 +34,20 @@ std::string utf8OfLatin1(const std::string& text)
   for (const char c : text)
   {
     const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x80)
-    {
-      utf8 += c;
-      continue;
-    }
-    utf8 += static_cast<char>(0xC0 | byte >> 6);
-    utf8 += static_cast<char>(0x80 | (byte & 0x3F));
+    utf8 += byte < 0x80 ? "" : byte < 0xC0 ? "\xC2" : "\xC3";
+    utf8 += byte < 0x80 ? c : static_cast<char>(0x80 | (byte & 0x3F));
   }
   return utf8;
 }
 
-/// Short enough for a message.
-std::string quoted(std::string_view word)
-{
-  return '"' + std::string(word.substr(0, 40)) + '"';
 }
 
+std::string upperCase(std::string_view text)
+{
+  std::string upper(text);
+  std::transform(upper.begin(), upper.end(), upper.begin(),
+    [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  return upper;
 }
 
 PhotometricText::PhotometricText(const std::string& fileName, const std::string& bytes)
@@ -67,7 +55,7 @@ PhotometricText::PhotometricText(const std::string& fileName, const std::string&
 {
   const std::string mark = bytes.substr(0, 2);
   throwIf(mark == "\xFF\xFE" || mark == "\xFE\xFF" || mark.find('\0') != std::string::npos,
-    fileName + " is UTF-16 or no text at all; lamp files are ASCII, ISO 8859-1 or UTF-8");
+    fileName, " is UTF-16 or no text at all; lamp files are ASCII, ISO 8859-1 or UTF-8");
   text_ = bytes.substr(bytes.rfind("\xEF\xBB\xBF", 0) == 0 ? 3 : 0);
   text_.resize(std::min(text_.size(), text_.find('\x1A'))); // how DOS marks the end
   text_ = isUtf8(text_) ? text_ : utf8OfLatin1(text_);
@@ -92,22 +80,11 @@ std::string_view PhotometricText::line(std::size_t i) const
 std::size_t PhotometricText::tiltLine() const
 {
   std::size_t i = 0;
-  const auto isTilt = [](std::string_view line) {
-    constexpr std::string_view kTilt = "tilt=";
-    return line.size() >= kTilt.size() &&
-      std::equal(kTilt.begin(), kTilt.end(), line.begin(),
-        [](char small, char c) { return c == small || (small != '=' && c == small - 'a' + 'A'); });
-  };
-  while (i < size() && !isTilt(line(i)))
+  while (i < size() && upperCase(line(i).substr(0, 5)) != "TILT=")
   {
     ++i;
   }
   return i;
-}
-
-void PhotometricText::fail(std::size_t line, const std::string& what) const
-{
-  throw InputError(fileName_ + ", line " + std::to_string(line + 1) + ": " + what);
 }
 
 double PhotometricText::number(std::size_t line, const char* name, std::string_view word) const
@@ -117,10 +94,8 @@ double PhotometricText::number(std::size_t line, const char* name, std::string_v
   double number = 0;
   const char* const end = point.data() + point.size();
   const auto read = std::from_chars(point.data(), end, number);
-  if (read.ec != std::errc() || read.ptr != end || !std::isfinite(number))
-  {
-    fail(line, std::string("the ") + name + " is " + quoted(word) + ", which is no finite number");
-  }
+  failIf(read.ec != std::errc() || read.ptr != end || !std::isfinite(number), line, "the ", name,
+    " is ", '"', word.substr(0, 40), '"', ", which is no finite number");
   return number;
 }
 
@@ -141,16 +116,10 @@ std::string_view NumberReader::peek()
 double NumberReader::next(const char* name, double low, double high)
 {
   const std::string_view word = peek();
-  if (word.empty())
-  {
-    text_.fail(text_.size() - 1, std::string("the file ends before the ") + name);
-  }
+  text_.failIf(word.empty(), text_.size() - 1, "the file ends before the ", name);
   const double number = text_.number(line_, name, word);
-  if (!(number >= low && number <= high))
-  {
-    fail(std::string("the ") + name + " is " + text(number) + "; " + text(low) + " to " +
-      text(high) + " are possible");
-  }
+  failIf(!(number >= low && number <= high), "the ", name, " is ", number, "; ", low, " to ", high,
+    " are possible");
   column_ += word.size();
   return number;
 }
@@ -158,20 +127,14 @@ double NumberReader::next(const char* name, double low, double high)
 double NumberReader::nextPositive(const char* name)
 {
   const double number = next(name);
-  if (!(number > 0))
-  {
-    fail(std::string("the ") + name + " is " + text(number) + "; it has to be above 0");
-  }
+  failIf(!(number > 0), "the ", name, " is ", number, "; it has to be above 0");
   return number;
 }
 
 std::size_t NumberReader::nextCount(const char* name, std::size_t low, std::size_t high)
 {
   const double number = next(name, static_cast<double>(low), static_cast<double>(high));
-  if (number != std::floor(number))
-  {
-    fail(std::string("the ") + name + " is " + text(number) + ", which is no whole number");
-  }
+  failIf(number != std::floor(number), "the ", name, " is ", number, ", which is no whole number");
   return static_cast<std::size_t>(number);
 }
 
@@ -182,11 +145,9 @@ std::vector<double> NumberReader::nextAngles(
   while (angles.size() < count)
   {
     const double angle = next(name, low, high);
-    if (!angles.empty() && (mayRepeat ? angle < angles.back() : angle <= angles.back()))
-    {
-      fail(std::string("the ") + name + " " + text(angle) + " follows " + text(angles.back()) +
-        "; angles have to increase");
-    }
+    const double last = angles.empty() ? low - 1 : angles.back();
+    failIf(mayRepeat ? angle < last : angle <= last, "the ", name, " ", angle, " follows ", last,
+      "; angles have to increase");
     angles.push_back(angle);
   }
   return angles;
@@ -195,27 +156,20 @@ std::vector<double> NumberReader::nextAngles(
 std::vector<double> NumberReader::lastValues(
   const char* name, std::size_t polar, std::size_t azimuth)
 {
-  const std::string counts = std::to_string(polar) + " x " + std::to_string(azimuth);
-  if (polar > kMostValues / azimuth)
-  {
-    fail("the table has " + counts + " values; " + std::to_string(kMostValues) + " are possible");
-  }
+  const std::string counts = joined(polar, " x ", azimuth);
+  failIf(polar > kMostValues / azimuth, "the table has ", counts, " values; ", kMostValues,
+    " are possible");
   std::vector<double> values;
   while (values.size() < polar * azimuth)
   {
     const double value = next(name);
-    if (value < 0)
-    {
-      fail(std::string("the ") + name + " is " + text(value) + ", which is negative");
-    }
+    failIf(value < 0, "the ", name, " is ", value, ", which is negative");
     values.push_back(value);
   }
   const std::string_view word = peek();
-  if (!word.empty() && word.find_first_not_of("+-.0123456789eE,") == std::string_view::npos)
-  {
-    fail(quoted(word) + " follows the table of " + counts +
-      " values; the numbers of angles do not fit it");
-  }
+  failIf(!word.empty() && word.find_first_not_of("+-.0123456789eE,") == std::string_view::npos, '"',
+    word.substr(0, 40), "\" follows the table of ", counts,
+    " values; the numbers of angles do not fit it");
   return values;
 }
 

@@ -2,6 +2,8 @@
 #ifndef irradiance_PhotometricText_h
 #define irradiance_PhotometricText_h
 
+#include "Progress/InputError.h"
+
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -10,6 +12,9 @@
 
 namespace irradiance
 {
+
+/// Of ASCII letters, in every locale.
+std::string upperCase(std::string_view text);
 
 /// The lines of a lamp file, counted from 0 here and from 1 in errors.
 class PhotometricText
@@ -27,8 +32,12 @@ public:
   /// The first line that begins with TILT=, in any case of letters; size() if there is none.
   std::size_t tiltLine() const;
 
-  /// Throws InputError.
-  [[noreturn]] void fail(std::size_t line, const std::string& what) const;
+  /// Throws InputError that names the line.
+  template <class... Parts>
+  void failIf(bool isWrong, std::size_t line, const Parts&... parts) const
+  {
+    throwIf(isWrong, fileName_, ", line ", line + 1, ": ", parts...);
+  }
   /// A finite number, with a decimal point or comma, in every locale. Throws InputError.
   double number(std::size_t line, const char* name, std::string_view word) const;
 
@@ -63,7 +72,12 @@ public:
     const char* name, std::size_t count, double low, double high, bool mayRepeat);
   /// All values of a table, 0 or more. Nothing but words may follow them.
   std::vector<double> lastValues(const char* name, std::size_t polar, std::size_t azimuth);
-  [[noreturn]] void fail(const std::string& what) const { text_.fail(line_, what); }
+  /// Throws InputError that names the line.
+  template <class... Parts>
+  void failIf(bool isWrong, const Parts&... parts) const
+  {
+    text_.failIf(isWrong, line_, parts...);
+  }
 
 private:
   const PhotometricText& text_;

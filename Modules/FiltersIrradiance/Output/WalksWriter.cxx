@@ -29,11 +29,6 @@ namespace irradiance
 namespace
 {
 
-[[noreturn]] void fail(const char* name, vtkIdType value, const std::string& possible)
-{
-  throw InputError(std::string(name) + " is " + std::to_string(value) + "; " + possible);
-}
-
 /// Walks as polydata, one after the other.
 class Polylines
 {
@@ -107,19 +102,14 @@ std::optional<SceneCell> cellOf(
   const WalksRequest& request, const PhotonSource& source, vtkMultiBlockDataSet* scene)
 {
   std::optional<SceneCell> found;
-  if (request.port != 0 && request.port != 1)
-  {
-    fail("the port of the cell", request.port, "0 (static) or 1 (dynamic) is possible");
-  }
+  throwIf(request.port != 0 && request.port != 1, "the port of the cell is ", request.port,
+    "; 0 (static) or 1 (dynamic) is possible");
   auto* connections =
     vtkMultiBlockDataSet::SafeDownCast(scene->GetBlock(static_cast<unsigned int>(request.port)));
   const int count = connections ? static_cast<int>(connections->GetNumberOfBlocks()) : 0;
-  if (request.connection < 0 || request.connection >= count)
-  {
-    fail("the connection of the cell", request.connection,
-      "input port " + std::to_string(request.port) + " has " + std::to_string(count) +
-        " connections, numbered from 0");
-  }
+  throwIf(request.connection < 0 || request.connection >= count, "the connection of the cell is ",
+    request.connection, "; input port ", request.port, " has ", count,
+    " connections, numbered from 0");
   const std::vector<LeafData> leaves =
     leavesOf(connections->GetBlock(static_cast<unsigned int>(request.connection)));
   vtkIdType first = 0;
@@ -129,11 +119,8 @@ std::optional<SceneCell> cellOf(
     {
       return;
     }
-    if (cells.piece)
-    {
-      fail("the cell", request.cell,
-        "with DistributedInput the cells of an input have no common numbers; -1 means all walks");
-    }
+    throwIf(cells.piece != nullptr, "the cell is ", request.cell,
+      "; with DistributedInput the cells of an input have no common numbers; -1 means all walks");
     const vtkIdType cell = request.cell - first;
     if (cell >= 0 && cell < leaf->GetNumberOfCells())
     {
@@ -141,13 +128,10 @@ std::optional<SceneCell> cellOf(
     }
     first += leaf->GetNumberOfCells();
   });
-  if (request.cell < 0 || (!found && first > 0)) // a part that is away has no cells
-  {
-    fail("the cell", request.cell,
-      std::string(request.port == 0 ? "static" : "dynamic") + " connection " +
-        std::to_string(request.connection) + " has " + std::to_string(first) +
-        " cells, numbered from 0; -1 means all walks");
-  }
+  // A part that is away has no cells.
+  throwIf(request.cell < 0 || (!found && first > 0), "the cell is ", request.cell, "; ",
+    request.port == 0 ? "static" : "dynamic", " connection ", request.connection, " has ", first,
+    " cells, numbered from 0; -1 means all walks");
   return found;
 }
 
@@ -164,10 +148,8 @@ void writeWalks(const WalksRequest& request, const PhotonSource& source,
   vtkMultiBlockDataSet* scene, Execution& execution, vtkPolyData* output)
 {
   constexpr vtkIdType most = std::numeric_limits<std::uint32_t>::max();
-  if (request.count < 0 || request.count > most)
-  {
-    fail("the number of walks", request.count, "0 to " + std::to_string(most) + " are possible");
-  }
+  throwIf(request.count < 0 || request.count > most, "the number of walks is ", request.count,
+    "; 0 to ", most, " are possible");
   const IrradianceEngine& engine = *source.engine();
   const WalkPaths paths(engine);
   const auto count = static_cast<std::size_t>(request.count);

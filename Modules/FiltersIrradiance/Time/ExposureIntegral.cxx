@@ -229,9 +229,9 @@ private:
           text(totals[i].error / totals[i].energy);
       }
     }
-    return "RelativeTolerance " + text(tolerance_) +
-      " is not reached with MaximumNumberOfTimeSteps " + std::to_string(mostIntervals_) +
-      ". Estimated errors of the integration over time: " + blocks;
+    return joined("RelativeTolerance ", tolerance_,
+      " is not reached with MaximumNumberOfTimeSteps ", mostIntervals_,
+      ". Estimated errors of the integration over time: ", blocks);
   }
 
   double lastTime_, tolerance_;

@@ -54,11 +54,10 @@ SharedValues checkedValues(const std::string& leaf, vtkDataSet* data, const std:
   std::size_t components, double time)
 {
   vtkDataArray* array = arrayOf(data, name);
-  throwIf(!array || static_cast<std::size_t>(array->GetNumberOfComponents()) != components,
-    leaf + ": the cell array " + name + " has " +
-      (array ? std::to_string(array->GetNumberOfComponents()) + " components" : "gone") +
-      " at time " + text(time) + ", but " + std::to_string(components) +
-      " components at an earlier visited time");
+  throwIf(!array || static_cast<std::size_t>(array->GetNumberOfComponents()) != components, leaf,
+    ": the cell array ", name, " has ",
+    array ? joined(array->GetNumberOfComponents(), " components") : "gone", " at time ", time,
+    ", but ", components, " components at an earlier visited time");
   return valuesOf(array);
 }
 
@@ -68,22 +67,19 @@ void checkCellValues(const LeafData& leaf)
   throwIf(leaf.data && sidesIn(leaf.data->GetCellData()).empty() &&
       (!sidesIn(leaf.data->GetPointData()).empty() ||
         leaf.data->GetPointData()->HasArray(kFluenceRate) != 0),
-    leaf.name +
-      " has the light of points, as vtkIrradianceProbeFilter makes it, and a dose is one of cells: "
-      "give each sensor a normal, and a vertex cell by vtkVertexGlyphFilter, before that filter, "
-      "and put vtkPointDataToCellData behind it");
+    leaf.name,
+    " has the light of points, as vtkIrradianceProbeFilter makes it, and a dose is one of cells: "
+    "give each sensor a normal, and a vertex cell by vtkVertexGlyphFilter, before that filter, and "
+    "put vtkPointDataToCellData behind it");
 }
 
 void checkStale(vtkFieldData* fields, double time)
 {
   vtkDataArray* stale = fields->GetArray(kStalePower);
-  if (stale && stale->GetNumberOfTuples() > 0 && stale->GetRange(-1)[1] > 0)
-  {
-    throw InputError("at time " + text(time) + " the input's StalePower is " +
-      text(stale->GetRange(-1)[1]) +
-      " W: its irradiance rests on walks that are no longer valid. Set the RepairTimeBudget of "
-      "vtkIrradianceFilter to 0");
-  }
+  const double watts = stale && stale->GetNumberOfTuples() > 0 ? stale->GetRange(-1)[1] : 0;
+  throwIf(watts > 0, "at time ", time, " the input's StalePower is ", watts,
+    " W: its irradiance rests on walks that are no longer valid. Set the RepairTimeBudget of "
+    "vtkIrradianceFilter to 0");
 }
 
 Side newSide(const std::string& leaf, const std::string& suffix, vtkDataSet* data)
@@ -93,14 +89,11 @@ Side newSide(const std::string& leaf, const std::string& suffix, vtkDataSet* dat
   Side side{ suffix, bands, std::vector<double>(values), {}, {} };
   if (vtkDataArray* replicates = arrayOf(data, replicatesName(suffix)))
   {
-    if (replicates->GetNumberOfComponents() % bands != 0)
-    {
-      throw InputError(leaf + ": the cell array " + replicatesName(suffix) + " has " +
-        std::to_string(replicates->GetNumberOfComponents()) + " components, but " +
-        irradianceName(suffix) + " has " + std::to_string(bands) +
-        ": each replicate needs as many");
-    }
-    side.replicates.emplace(values, bands, replicates->GetNumberOfComponents() / bands);
+    const int components = replicates->GetNumberOfComponents();
+    throwIf(components % bands != 0, leaf, ": the cell array ", replicatesName(suffix), " has ",
+      components, " components, but ", irradianceName(suffix), " has ", bands,
+      ": each replicate needs as many");
+    side.replicates.emplace(values, bands, components / bands);
   }
   else if (arrayOf(data, errorName(suffix)))
   {
@@ -123,20 +116,17 @@ void begin(Leaf& leaf, vtkDataSet* data, double time)
 {
   leaf.firstTime = time;
   leaf.sides = sidesOf(leaf.name, data);
-  throwIf(leaf.sides.empty(),
-    leaf.name + " has no cell array " + irradianceName() + ", or " + irradianceName("Front") +
-      " and " + irradianceName("Back") + ", at time " + text(time) +
-      ": connect the output of vtkIrradianceFilter, or data that have such arrays");
+  throwIf(leaf.sides.empty(), leaf.name, " has no cell array ", irradianceName(), ", or ",
+    irradianceName("Front"), " and ", irradianceName("Back"), ", at time ", time,
+    ": connect the output of vtkIrradianceFilter, or data that have such arrays");
 }
 
 void checkCells(const Leaf& leaf, vtkDataSet* data, double time)
 {
-  if (leaf.geometry && leaf.geometry->GetNumberOfCells() != data->GetNumberOfCells())
-  {
-    throw InputError(leaf.name + " has " + std::to_string(leaf.geometry->GetNumberOfCells()) +
-      " cells at time " + text(leaf.time) + ", but " + std::to_string(data->GetNumberOfCells()) +
-      " at time " + text(time) + ": the exposure of a cell needs the same cells at all times");
-  }
+  const vtkIdType cells = data->GetNumberOfCells();
+  const vtkIdType before = leaf.geometry ? leaf.geometry->GetNumberOfCells() : cells;
+  throwIf(before != cells, leaf.name, " has ", before, " cells at time ", leaf.time, ", but ",
+    cells, " at time ", time, ": the exposure of a cell needs the same cells at all times");
 }
 
 void addSide(const std::string& leaf, Side& side, vtkDataSet* data, double time, double weight)
@@ -157,8 +147,8 @@ void addSide(const std::string& leaf, Side& side, vtkDataSet* data, double time,
   {
     const auto* bad = std::find_if_not(irradiance, irradiance + side.exposure.size(),
       [](double value) { return std::isfinite(value); });
-    throw InputError(leaf + ", cell " + std::to_string((bad - irradiance) / side.bands) + ": " +
-      irradianceName(side.suffix) + " is " + text(*bad) + " at time " + text(time));
+    throwIf(true, leaf, ", cell ", (bad - irradiance) / side.bands, ": ",
+      irradianceName(side.suffix), " is ", *bad, " at time ", time);
   }
   if (side.replicates)
   {
@@ -321,10 +311,9 @@ void ExposureSums::checkStructure(const std::vector<LeafData>& leaves, double ti
   }
   const bool isSame = std::equal(leaves.begin(), leaves.end(), leaves_.begin(), leaves_.end(),
     [](const LeafData& a, const Leaf& b) { return a.flatIndex == b.flatIndex; });
-  throwIf(!isSame,
-    "the structure of the input differs: it has " + std::to_string(leaves_.size()) +
-      " blocks at time " + text(firstTime_) + " and " + std::to_string(leaves.size()) +
-      " blocks, or others, at time " + text(time) + ". A part that is not there is an empty block");
+  throwIf(!isSame, "the structure of the input differs: it has ", leaves_.size(),
+    " blocks at time ", firstTime_, " and ", leaves.size(), " blocks, or others, at time ", time,
+    ". A part that is not there is an empty block");
 }
 
 void ExposureSums::add(const TimedData& input, double weight)
@@ -384,8 +373,8 @@ void ExposureSums::append(ExposureSums next)
     {
       throwIf(!std::equal(leaf.sides.begin(), leaf.sides.end(), later.sides.begin(),
                 later.sides.end(), isAlike),
-        leaf.name + " has other cell arrays of irradiance or of its errors at time " +
-          text(later.firstTime) + " than before");
+        leaf.name, " has other cell arrays of irradiance or of its errors at time ",
+        later.firstTime, " than before");
       for (std::size_t side = 0; side < leaf.sides.size(); ++side)
       {
         appendSide(leaf.sides[side], later.sides[side], leaf.time == later.firstTime);
@@ -436,9 +425,9 @@ void ExposureSums::expectReplicates(vtkDataObject* data)
       throwIf(!replicates ||
           replicates->GetNumberOfComponents() <
             2 * arrayOf(leaf.data, irradianceName(suffix))->GetNumberOfComponents(),
-        leaf.name + " has no replicates of " + irradianceName(suffix) +
-          ", by which NumberOfSpreadPhotons counts its photons: switch ComputeStandardError of "
-          "vtkIrradianceFilter on, or set NumberOfSpreadPhotons to 0; data from files have none");
+        leaf.name, " has no replicates of ", irradianceName(suffix),
+        ", by which NumberOfSpreadPhotons counts its photons: switch ComputeStandardError of "
+        "vtkIrradianceFilter on, or set NumberOfSpreadPhotons to 0; data from files have none");
     }
   }
 }

@@ -30,14 +30,13 @@ void sortOnce(std::vector<double>& times)
 
 std::string rangeText(const TimeSpan& span)
 {
-  return text(span.start) + " to " + text(span.end);
+  return joined(span.start, " to ", span.end);
 }
 
 void checkWithin(const char* name, double time, const TimeSpan& range)
 {
-  throwIf(!(time >= range.start && time <= range.end),
-    std::string(name) + " is " + text(time) + ", outside of the input's times, which are " +
-      rangeText(range));
+  throwIf(!(time >= range.start && time <= range.end), name, " is ", time,
+    ", outside of the input's times, which are ", rangeText(range));
 }
 
 /// The time that data say to be of. Files have some times alone, and take the nearest. Data that do
@@ -125,9 +124,10 @@ TimeSpan timeSpan(vtkInformation* input, double startTime, double endTime)
   {
     range = { times.front(), times.back() };
   }
-  else if (!std::isfinite(startTime) || !std::isfinite(endTime))
+  else
   {
-    throw InputError("StartTime is " + text(startTime) + " and EndTime is " + text(endTime) +
+    throwIf(!std::isfinite(startTime) || !std::isfinite(endTime), "StartTime is ", startTime,
+      " and EndTime is ", endTime,
       ", but the input has no times (TIME_RANGE or TIME_STEPS) that could tell how long the "
       "exposure lasts: give both, or move something over time");
   }
@@ -135,22 +135,20 @@ TimeSpan timeSpan(vtkInformation* input, double startTime, double endTime)
     std::isnan(endTime) ? range.end : endTime };
   checkWithin("StartTime", span.start, range);
   checkWithin("EndTime", span.end, range);
-  throwIf(!(span.start < span.end),
-    "the limits are the wrong way round, or equal: StartTime is " + text(span.start) +
-      ", EndTime is " + text(span.end) + " (the input's times are " + rangeText(range) + ")");
+  throwIf(!(span.start < span.end), "the limits are the wrong way round, or equal: StartTime is ",
+    span.start, ", EndTime is ", span.end, " (the input's times are ", rangeText(range), ")");
   return span;
 }
 
 std::vector<double> stepTimes(vtkInformation* input, const TimeSpan& span)
 {
   const std::vector<double> steps = stepsOf(input);
-  throwIf(steps.size() < 2,
-    "IntegrationMode is TimeSteps, but the input has " + std::to_string(steps.size()) +
-      " TIME_STEPS, and 2 at least are needed: choose Uniform or ErrorControlled");
+  throwIf(steps.size() < 2, "IntegrationMode is TimeSteps, but the input has ", steps.size(),
+    " TIME_STEPS, and 2 at least are needed: choose Uniform or ErrorControlled");
   throwIf(std::none_of(steps.begin(), steps.end(),
             [&](double step) { return step >= span.start && step <= span.end; }),
-    "none of the input's TIME_STEPS is within " + rangeText(span) +
-      " (StartTime to EndTime), so IntegrationMode TimeSteps is not possible");
+    "none of the input's TIME_STEPS is within ", rangeText(span),
+    " (StartTime to EndTime), so IntegrationMode TimeSteps is not possible");
   return timesWithin(steps, span);
 }
 
@@ -163,11 +161,10 @@ std::optional<double> timeBetweenSteps(vtkInformation* input, const TimeSpan& sp
 
 void checkTime(vtkInformation* input, double time, const TimeSpan& span)
 {
-  throwIf(!isOfTime(input, time, span),
-    "the input was asked for time " + text(time) + ", but came with that of " +
-      text(givenTime(input, time)) +
-      ": choose IntegrationMode TimeSteps with StartTime and EndTime among the TIME_STEPS, or put "
-      "a vtkTemporalInterpolator before this filter");
+  throwIf(!isOfTime(input, time, span), "the input was asked for time ", time,
+    ", but came with that of ", givenTime(input, time),
+    ": choose IntegrationMode TimeSteps with StartTime and EndTime among the TIME_STEPS, or put a "
+    "vtkTemporalInterpolator before this filter");
 }
 
 bool comesAtStepsOnly(vtkExecutive* executive, int port, const TimeSpan& span)

@@ -3,7 +3,6 @@
 
 #include "Estimates/ErrorEstimate.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -3,7 +3,6 @@
 
 #include "DirectLight/DarkSides.h"
 
-#include <algorithm>
 #include <memory>
 
 namespace irradiance

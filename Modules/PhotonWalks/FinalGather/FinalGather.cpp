@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numeric>
 #include <utility>
 
@@ -177,7 +176,7 @@ void FinalGather::follow(const FinalGatherScene& scene, const FinalGatherMotion*
         // By the place among sides that gather. The number of its cell would not do: absent cells
         // have numbers in a frame that follows others, and none in a fresh one.
         const std::uint64_t number = 2 * side.gatherer + static_cast<std::uint64_t>(side.side);
-        following.addSide(scene, scene.frame.cells.numbers()[cell], side.side == 0, number, rays);
+        following.addSide(scene.frame.cells.numbers()[cell], side.side == 0, number, rays);
       }
     }
   });

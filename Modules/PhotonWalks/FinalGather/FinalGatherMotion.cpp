@@ -3,7 +3,6 @@
 
 #include "Repair/SceneChange.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace irradiance
@@ -61,7 +60,7 @@ std::optional<FinalGatherMotion> FinalGatherMotion::since(
 
 FinalGatherMotion::FinalGatherMotion(const FinalGatherScene& scene, const std::vector<bool>& moved)
   : moved_(moved)
-  , isAny_(std::find(moved.begin(), moved.end(), true) != moved.end())
+  , isAny_(hasMotion(moved))
 {
   if (!isAny_)
   {

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iterator>
 #include <numeric>
 #include <stdexcept>
@@ -121,6 +120,7 @@ double reflectedPart(const Bands& weight, const double* reflectances, int bands)
 
 void FinalGatherPaths::begin(const FinalGatherScene& scene)
 {
+  scene_ = &scene;
   bands_ = scene.known.bands();
   bounce_ = 0;
   numberOfPaths_ = 0;
@@ -131,78 +131,76 @@ void FinalGatherPaths::begin(const FinalGatherScene& scene)
   shadows_.clear();
 }
 
-void FinalGatherPaths::addSide(const FinalGatherScene& scene, std::size_t cell, bool isFront,
-  std::uint64_t number, const std::vector<std::uint32_t>& rays)
+void FinalGatherPaths::addSide(
+  std::size_t cell, bool isFront, std::uint64_t number, const std::vector<std::uint32_t>& rays)
 {
-  const std::uint64_t seed = seedOf(scene, number);
+  const std::uint64_t seed = seedOf(*scene_, number);
   const SampleKeys places = keysOf(seed, 0, Use::Position),
                    directions = keysOf(seed, 0, Use::Direction);
-  const AreaPoints points(scene.shapes, scene.frame.triangles, cell);
+  const AreaPoints points(scene_->shapes, scene_->frame.triangles, cell);
   for (const std::uint32_t i : rays)
   {
     auto [point, id] = points.at(SobolPoint::inUnitSquare(i, places));
     point.turn(isFront);
     rays_.push_back({ point.clearPosition(),
       sampleHemisphere(point.normal, SobolPoint::inUnitSquare(i, directions)), id });
-    paths_.push_back(startOf(scene, seed, i));
+    paths_.push_back(startOf(seed, i));
   }
 }
 
-void FinalGatherPaths::addPoint(const FinalGatherScene& scene, const LitPoint& point,
-  std::uint64_t number, const std::vector<std::uint32_t>& rays)
+void FinalGatherPaths::addPoint(
+  const LitPoint& point, std::uint64_t number, const std::vector<std::uint32_t>& rays)
 {
-  const std::uint64_t seed = seedOf(scene, number);
+  const std::uint64_t seed = seedOf(*scene_, number);
   const SampleKeys directions = keysOf(seed, 0, Use::Direction);
   for (const std::uint32_t i : rays)
   {
     const std::array<double, 2> u = SobolPoint::inUnitSquare(i, directions);
     const Vector3 direction =
       point.hasNormal() ? sampleHemisphere(point.normal, u) : sampleSphere(u);
-    rays_.push_back({ nearestOrigin(scene.frame.scene.bounds(), point.position, direction),
+    rays_.push_back({ nearestOrigin(scene_->frame.scene.bounds(), point.position, direction),
       direction, point.on });
-    paths_.push_back(startOf(scene, seed, i));
+    paths_.push_back(startOf(seed, i));
   }
 }
 
-void FinalGatherPaths::addSpecular(
-  const FinalGatherScene& scene, std::size_t cell, std::uint64_t number, const ToEye& toEye)
+void FinalGatherPaths::addSpecular(std::size_t cell, std::uint64_t number, const ToEye& toEye)
 {
-  const std::uint64_t seed = seedOf(scene, number);
+  const std::uint64_t seed = seedOf(*scene_, number);
   const SampleKeys places = keysOf(seed, 0, Use::Position);
-  const AreaPoints points(scene.shapes, scene.frame.triangles, cell);
-  for (std::uint32_t i = 0; i < scene.rays; ++i)
+  const AreaPoints points(scene_->shapes, scene_->frame.triangles, cell);
+  for (std::uint32_t i = 0; i < scene_->rays; ++i)
   {
-    const Path path = startOf(scene, seed, i);
+    const Path path = startOf(seed, i);
     auto [place, id] = points.at(SobolPoint::inUnitSquare(i, places));
     const Vector3 eye = toEye(place.position);
     place.turn(eye.dot(place.normal) >= 0);
-    const Material& material = *scene.frame.objects[id.object].material;
+    const Material& material = *scene_->frame.objects[id.object].material;
     const PhongLobe& lobe = material.lobeOf(material.cellOfTriangle[id.triangle]);
     if (lobe.isMirror() ? !eye.isZero(0) : eye.dot(place.normal) > 0)
     {
       const PathVertex vertex{ { place.clearPosition(), place.normal, id }, -eye };
       if (!lobe.isMirror())
       {
-        recordStart(scene, path, place.position, vertex, lobe);
+        recordStart(path, place.position, vertex, lobe);
       }
-      goOnSpecularly(scene, path, vertex, lobe, paths_, rays_);
+      goOnSpecularly(path, vertex, lobe, paths_, rays_);
     }
   }
 }
 
-FinalGatherPaths::Path FinalGatherPaths::startOf(
-  const FinalGatherScene& scene, std::uint64_t seed, std::uint32_t ray)
+FinalGatherPaths::Path FinalGatherPaths::startOf(std::uint64_t seed, std::uint32_t ray)
 {
   Path path{ {}, seed, ray, numberOfPaths_++, false, kInfinity };
-  std::fill_n(path.weight.begin(), bands_, 1.0 / scene.raysOfReplicate());
+  std::fill_n(path.weight.begin(), bands_, 1.0 / scene_->raysOfReplicate());
   return path;
 }
 
-FollowedPaths FinalGatherPaths::run(const FinalGatherScene& scene)
+FollowedPaths FinalGatherPaths::run()
 {
   while (!paths_.empty())
   {
-    cast(scene);
+    cast();
     if (++bounce_ > kMostBounces)
     {
       throw std::runtime_error("a path of the final gather does not end: the light cannot leave a "
@@ -214,9 +212,9 @@ FollowedPaths FinalGatherPaths::run(const FinalGatherScene& scene)
     {
       if (const Hit& hit = hits_[i])
       {
-        const Arrival arrival = arrivalOf(scene, rays_[i], hit);
-        record(scene, paths_[i], rays_[i], arrival);
-        goOn(scene, paths_[i], rays_[i], arrival);
+        const Arrival arrival = arrivalOf(rays_[i], hit);
+        record(paths_[i], rays_[i], arrival);
+        goOn(paths_[i], rays_[i], arrival);
       }
       else
       {
@@ -224,7 +222,7 @@ FollowedPaths FinalGatherPaths::run(const FinalGatherScene& scene)
         segment.from = inFloats(rays_[i].origin);
         segment.to = inFloats(rays_[i].direction);
         segment.triangle = SceneTriangles::kNone;
-        segment.touchesMover = scene.frame.contacts.hasDynamic(rays_[i].start);
+        segment.touchesMover = scene_->frame.contacts.hasDynamic(rays_[i].start);
         addStep(paths_[i], segment);
       }
     }
@@ -263,81 +261,78 @@ FollowedPaths FinalGatherPaths::sorted()
   return followed;
 }
 
-void FinalGatherPaths::cast(const FinalGatherScene& scene)
+void FinalGatherPaths::cast()
 {
-  const Contacts& contacts = scene.frame.contacts;
+  const Contacts& contacts = scene_->frame.contacts;
   hits_.assign(rays_.size(), {});
-  scene.frame.scene.cast(rays_.data(), rays_.size(), hits_.data());
+  scene_->frame.scene.cast(rays_.data(), rays_.size(), hits_.data());
   for (std::size_t i = 0; !contacts.isEmpty() && i < rays_.size(); ++i)
   {
     if (contacts.has(rays_[i].start) || contacts.has(hits_[i].id))
     {
-      hits_[i] = contacts.resolveContact(scene.frame.scene, rays_[i], hits_[i]);
+      hits_[i] = contacts.resolveContact(scene_->frame.scene, rays_[i], hits_[i]);
     }
   }
 }
 
-FinalGatherPaths::Arrival FinalGatherPaths::arrivalOf(
-  const FinalGatherScene& scene, const Ray& ray, const Hit& hit)
+FinalGatherPaths::Arrival FinalGatherPaths::arrivalOf(const Ray& ray, const Hit& hit) const
 {
-  const SceneTriangles& triangles = scene.frame.triangles;
-  const Material& material = *scene.frame.objects[hit.id.object].material;
+  const SceneTriangles& triangles = scene_->frame.triangles;
+  const Material& material = *scene_->frame.objects[hit.id.object].material;
   const std::size_t cell = material.cellOfTriangle[hit.id.triangle];
   const Vector3 normal = triangleOf(triangles, triangles.numberOf(hit.id)).areaVector();
   const int side = normal.dot(ray.direction) < 0 ? 0 : 1;
   const bool asksLobe =
-    scene.asksOnLobes && material.isSpecular(cell) && !material.lobeOf(cell).isMirror();
+    scene_->asksOnLobes && material.isSpecular(cell) && !material.lobeOf(cell).isMirror();
   Arrival arrival{ { { hit.id.object, cell }, side }, false, false,
     asksLobe ? &material.lobeOf(cell) : nullptr, hit };
-  const bool isLarge = scene.roles.isRead(arrival.side),
-             isRead = isLarge && scene.isRead(arrival.side);
-  const bool isNear = hit.distance * hit.distance < scene.frame.cells.area(arrival.side);
+  const bool isLarge = scene_->roles.isRead(arrival.side),
+             isRead = isLarge && scene_->isRead(arrival.side);
+  const bool isNear = hit.distance * hit.distance < scene_->frame.cells.area(arrival.side);
   arrival.isKnown = isRead && !isNear;
-  arrival.isUnknown = isLarge ? isNear || !isRead : !scene.knownDirect;
+  arrival.isUnknown = isLarge ? isNear || !isRead : !scene_->knownDirect;
   return arrival;
 }
 
-PathVertex FinalGatherPaths::vertexOf(
-  const FinalGatherScene& scene, const Ray& ray, const Arrival& arrival)
+PathVertex FinalGatherPaths::vertexOf(const Ray& ray, const Arrival& arrival) const
 {
-  const SurfacePoint place = scene.frame.scene.surfaceOf(arrival.hit, arrival.isFront());
+  const SurfacePoint place = scene_->frame.scene.surfaceOf(arrival.hit, arrival.isFront());
   return { { place.clearPosition(), place.normal, arrival.hit.id },
     incomingDirection(place, ray.origin) };
 }
 
-void FinalGatherPaths::record(
-  const FinalGatherScene& scene, const Path& path, const Ray& ray, const Arrival& arrival)
+void FinalGatherPaths::record(const Path& path, const Ray& ray, const Arrival& arrival)
 {
-  const Contacts& contacts = scene.frame.contacts;
+  const Contacts& contacts = scene_->frame.contacts;
   const TriangleId& id = arrival.hit.id;
   const Vector3 to = ray.origin + arrival.hit.distance * ray.direction;
   const bool asksLights = arrival.isUnknown || arrival.lobe;
   const bool hasLampWeight = path.isSpecular && !std::isinf(path.density) && arrival.isFront() &&
-    scene.frame.objects[id.object].isLamp(id.triangle);
+    scene_->frame.objects[id.object].isLamp(id.triangle);
   addStep(path,
-    { inFloats(ray.origin), inFloats(to), scene.frame.triangles.numberOf(id), arrival.isFront(),
+    { inFloats(ray.origin), inFloats(to), scene_->frame.triangles.numberOf(id), arrival.isFront(),
       path.isSpecular, arrival.isKnown, !arrival.isKnown && !arrival.isUnknown, asksLights,
       hasLampWeight,
       contacts.hasDynamic(ray.start) || contacts.hasDynamic(id) || arrival.lobe != nullptr });
   if (asksLights)
   {
-    askLights(scene, path, vertexOf(scene, ray, arrival), arrival);
+    askLights(path, vertexOf(ray, arrival), arrival);
   }
   if (hasLampWeight)
   {
-    values_.push_back(lampWeight(scene, ray, path.density, id, to));
+    values_.push_back(lampWeight(*scene_, ray, path.density, id, to));
   }
 }
 
-void FinalGatherPaths::recordStart(const FinalGatherScene& scene, const Path& path,
-  const Vector3& place, const PathVertex& from, const PhongLobe& lobe)
+void FinalGatherPaths::recordStart(
+  const Path& path, const Vector3& place, const PathVertex& from, const PhongLobe& lobe)
 {
   PathSegment segment{};
   segment.from = segment.to = inFloats(place);
-  segment.triangle = scene.frame.triangles.numberOf(from.point.on);
+  segment.triangle = scene_->frame.triangles.numberOf(from.point.on);
   segment.asksLights = true;
   addStep(path, segment);
-  const Bands light = lobeLight(scene, from, lobe, path.seed, path.number);
+  const Bands light = lobeLight(*scene_, from, lobe, path.seed, path.number);
   std::transform(light.begin(), light.begin() + bands_, path.weight.begin(),
     std::back_inserter(values_), std::multiplies<double>());
 }
@@ -351,24 +346,23 @@ void FinalGatherPaths::addStep(const Path& path, const PathSegment& segment)
   }
 }
 
-void FinalGatherPaths::askLights(
-  const FinalGatherScene& scene, const Path& path, const PathVertex& at, const Arrival& arrival)
+void FinalGatherPaths::askLights(const Path& path, const PathVertex& at, const Arrival& arrival)
 {
-  const Material& material = *scene.frame.objects[at.point.on.object].material;
+  const Material& material = *scene_->frame.objects[at.point.on.object].material;
   const std::uint64_t number =
     splitMix(path.seed ^ splitMix(std::uint64_t{ bounce_ } << 32 | path.number));
   const bool asksDiffuse = arrival.isUnknown && material.reflectsDiffusely(arrival.side.cell);
   Bands arriving{}, onLobe{};
-  for (const PointDirectLight& lights : scene.lights)
+  for (const PointDirectLight& lights : scene_->lights)
   {
     if (asksDiffuse)
     {
-      arriving += lights.irradiance(at.point, number, scene.keepsPaths ? &shadows_ : nullptr);
+      arriving += lights.irradiance(at.point, number, scene_->keepsPaths ? &shadows_ : nullptr);
     }
   }
   if (arrival.lobe)
   {
-    onLobe = lobeLight(scene, at, *arrival.lobe, splitMix(number), 0);
+    onLobe = lobeLight(*scene_, at, *arrival.lobe, splitMix(number), 0);
   }
   for (int band = 0; band < bands_; ++band)
   {
@@ -382,10 +376,9 @@ void FinalGatherPaths::askLights(
   }
 }
 
-void FinalGatherPaths::goOn(
-  const FinalGatherScene& scene, const Path& path, const Ray& ray, const Arrival& arrival)
+void FinalGatherPaths::goOn(const Path& path, const Ray& ray, const Arrival& arrival)
 {
-  const Material& material = *scene.frame.objects[arrival.side.object].material;
+  const Material& material = *scene_->frame.objects[arrival.side.object].material;
   const std::size_t cell = arrival.side.cell;
   const bool isSpecular = material.isSpecular(cell);
   if (arrival.isKnown && !isSpecular)
@@ -417,10 +410,10 @@ void FinalGatherPaths::goOn(
     const auto i = static_cast<std::size_t>(band);
     next.weight[i] *= (isDiffuse ? diffuse : specular)[i] / survival.of(!isDiffuse);
   }
-  const PathVertex vertex = vertexOf(scene, ray, arrival);
+  const PathVertex vertex = vertexOf(ray, arrival);
   if (!isDiffuse)
   {
-    goOnSpecularly(scene, next, vertex, material.lobeOf(cell), next_, nextRays_);
+    goOnSpecularly(next, vertex, material.lobeOf(cell), next_, nextRays_);
     return;
   }
   nextRays_.push_back({ vertex.point.position,
@@ -430,16 +423,15 @@ void FinalGatherPaths::goOn(
   next_.push_back(next);
 }
 
-void FinalGatherPaths::goOnSpecularly(const FinalGatherScene& scene, Path path,
-  const PathVertex& from, const PhongLobe& lobe, std::vector<Path>& paths,
-  std::vector<Ray>& rays) const
+void FinalGatherPaths::goOnSpecularly(Path path, const PathVertex& from, const PhongLobe& lobe,
+  std::vector<Path>& paths, std::vector<Ray>& rays) const
 {
   const Vector3& normal = from.point.normal;
   const auto sample = [&](Use use) { return sampleOf(path.seed, path.number, bounce_, use); };
   const Vector3 direction = lobe.sample(normal, from.incoming,
     { sample(Use::Direction), sample(Use::Acceptance)[0], sample(Use::Compensation) });
   path.isSpecular = true;
-  path.density = scene.asksOnLobes && !lobe.isMirror()
+  path.density = scene_->asksOnLobes && !lobe.isMirror()
     ? lobe.value(normal, direction, -from.incoming) * direction.dot(normal)
     : kInfinity;
   paths.push_back(path);

@@ -39,24 +39,23 @@ public:
     std::unique_ptr<FinalGatherPaths> paths = pool.take();
     paths->begin(scene);
     addStarts(*paths);
-    FollowedPaths followed = paths->run(scene);
+    FollowedPaths followed = paths->run();
     pool.giveBack(std::move(paths));
     return followed;
   }
   /// Adds the paths of some rays of a side. `cell`: of the shapes. `number`: chooses its samples.
   /// `rays`: by number; each scene.rays of them are a start.
-  void addSide(const FinalGatherScene& scene, std::size_t cell, bool isFront, std::uint64_t number,
-    const std::vector<std::uint32_t>& rays);
+  void addSide(
+    std::size_t cell, bool isFront, std::uint64_t number, const std::vector<std::uint32_t>& rays);
   /// Likewise of a point. From one that receives from all directions, rays have the density 1 / (4
   /// pi): four times what they bring is the fluence rate.
-  void addPoint(const FinalGatherScene& scene, const LitPoint& point, std::uint64_t number,
-    const std::vector<std::uint32_t>& rays);
+  void addPoint(
+    const LitPoint& point, std::uint64_t number, const std::vector<std::uint32_t>& rays);
   /// Adds the paths of what a specular cell reflects to an eye: pi times its radiance for a
   /// specular reflectance of 1 is what they bring, the mean over the area. `toEye`: the unit vector
   /// from a point; 0: nothing is seen of it.
   using ToEye = std::function<Vector3(const Vector3& point)>;
-  void addSpecular(
-    const FinalGatherScene& scene, std::size_t cell, std::uint64_t number, const ToEye& toEye);
+  void addSpecular(std::size_t cell, std::uint64_t number, const ToEye& toEye);
 
 private:
   struct Path
@@ -92,29 +91,27 @@ private:
 
   /// Forgets all paths.
   void begin(const FinalGatherScene& scene);
-  FollowedPaths run(const FinalGatherScene& scene);
-  Path startOf(const FinalGatherScene& scene, std::uint64_t seed, std::uint32_t ray);
+  FollowedPaths run();
+  Path startOf(std::uint64_t seed, std::uint32_t ray);
   /// Asks the lights on the lobe of a start.
-  void recordStart(const FinalGatherScene& scene, const Path& path, const Vector3& place,
-    const PathVertex& from, const PhongLobe& lobe);
-  void cast(const FinalGatherScene& scene);
-  static Arrival arrivalOf(const FinalGatherScene& scene, const Ray& ray, const Hit& hit);
-  static PathVertex vertexOf(const FinalGatherScene& scene, const Ray& ray, const Arrival& arrival);
-  void record(
-    const FinalGatherScene& scene, const Path& path, const Ray& ray, const Arrival& arrival);
+  void recordStart(
+    const Path& path, const Vector3& place, const PathVertex& from, const PhongLobe& lobe);
+  void cast();
+  Arrival arrivalOf(const Ray& ray, const Hit& hit) const;
+  PathVertex vertexOf(const Ray& ray, const Arrival& arrival) const;
+  void record(const Path& path, const Ray& ray, const Arrival& arrival);
   /// Appends the numbers with which each step begins.
   void addStep(const Path& path, const PathSegment& segment);
-  void askLights(
-    const FinalGatherScene& scene, const Path& path, const PathVertex& at, const Arrival& arrival);
+  void askLights(const Path& path, const PathVertex& at, const Arrival& arrival);
   /// The steps by path, in the order of these.
   FollowedPaths sorted();
   /// Appends what goes on.
-  void goOn(
-    const FinalGatherScene& scene, const Path& path, const Ray& ray, const Arrival& arrival);
+  void goOn(const Path& path, const Ray& ray, const Arrival& arrival);
   /// Appends the path to `paths` and its ray to `rays`.
-  void goOnSpecularly(const FinalGatherScene& scene, Path path, const PathVertex& from,
-    const PhongLobe& lobe, std::vector<Path>& paths, std::vector<Ray>& rays) const;
+  void goOnSpecularly(Path path, const PathVertex& from, const PhongLobe& lobe,
+    std::vector<Path>& paths, std::vector<Ray>& rays) const;
 
+  const FinalGatherScene* scene_ = nullptr; ///< that they go through
   std::uint32_t bounce_ = 0, numberOfPaths_ = 0;
   int bands_ = 1;
   std::vector<Path> paths_, next_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #ifdef __x86_64__
 
-#include "History/GridSegments.h"
 #include "History/PageScan.h"
 #include "Simd/Prefetch.h"
 #include "Simd/SimdTarget.h"
@@ -74,15 +73,9 @@ struct GridLanes : WideTags
 namespace irradiance
 {
 
-void scanPagesAvx2(const PageScan& scan)
+const BounceLoops& bounceLoopsAvx2()
 {
-  scanPages(scan);
-}
-
-void placeOnGridAvx2(const PointGrid& grid, const RayColumns& rays, std::size_t first,
-  std::size_t count, GridSegments& segments)
-{
-  placeAllOnGrid(grid, rays, first, count, segments);
+  return kLoops;
 }
 
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #ifdef __x86_64__
 
-#include "History/GridSegments.h"
 #include "History/PageScan.h"
 #include "Simd/Prefetch.h"
 #include "Simd/SimdTarget.h"
@@ -61,15 +60,9 @@ struct GridLanes : WideTags
 namespace irradiance
 {
 
-void scanPagesAvx512(const PageScan& scan)
+const BounceLoops& bounceLoopsAvx512()
 {
-  scanPages(scan);
-}
-
-void placeOnGridAvx512(const PointGrid& grid, const RayColumns& rays, std::size_t first,
-  std::size_t count, GridSegments& segments)
-{
-  placeAllOnGrid(grid, rays, first, count, segments);
+  return kLoops;
 }
 
 }

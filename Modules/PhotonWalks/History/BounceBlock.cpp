@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "History/BounceBlock.h"
 
+#include "History/PageScan.h"
+
 #include <algorithm>
 #include <cstring>
 
@@ -122,7 +124,7 @@ void BounceBlock::appendSome(
     }
   }
   GridSegments segments;
-  placeOnGrid(grid_, front.rays, first, count, segments);
+  bounceLoops().placeOnGrid(grid_, front.rays, first, count, segments);
   for (std::size_t i = 0, run = 1; i < count; i += run)
   {
     // Most slots follow each other, up to the end of a page.

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "History/GridSegments.h"
 #include "History/PageScan.h"
 #include "Simd/Prefetch.h"
 
@@ -70,15 +69,9 @@ struct GridLanes
 namespace irradiance
 {
 
-void scanPagesPlain(const PageScan& scan)
+const BounceLoops& bounceLoopsPlain()
 {
-  scanPages(scan);
-}
-
-void placeOnGridPlain(const PointGrid& grid, const RayColumns& rays, std::size_t first,
-  std::size_t count, GridSegments& segments)
-{
-  placeAllOnGrid(grid, rays, first, count, segments);
+  return kLoops;
 }
 
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "History/BounceScan.h"
 
-#include "Simd/SimdLevel.h"
-
 namespace irradiance
 {
 
@@ -79,7 +77,7 @@ void BounceScan::find(
   const PageScan scan{ block.pages().data(), block.pages().size(), after, tags_, bodies_.data(),
     balls_.data(), static_cast<std::uint32_t>(bodies_.size()), areSmall_, stretch_, near.data(),
     flagged.data() };
-  IRRADIANCE_CALL_BEST(scanPages, scan);
+  bounceLoops().scanPages(scan);
   listFlagged(flagged, slots);
 }
 

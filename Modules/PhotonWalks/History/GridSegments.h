@@ -3,7 +3,6 @@
 #define irradiance_GridSegments_h
 
 #include "History/PointGrid.h"
-#include "Simd/SimdLevel.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -44,22 +43,6 @@ struct GridSegments
   std::int16_t ends[6][kSize]; ///< as in BouncePage
   std::uint8_t states[kSize];  ///< State
 };
-
-void placeOnGridPlain(const PointGrid& grid, const RayColumns& rays, std::size_t first,
-  std::size_t count, GridSegments& segments);
-#ifdef __x86_64__
-void placeOnGridAvx2(const PointGrid& grid, const RayColumns& rays, std::size_t first,
-  std::size_t count, GridSegments& segments);
-void placeOnGridAvx512(const PointGrid& grid, const RayColumns& rays, std::size_t first,
-  std::size_t count, GridSegments& segments);
-#endif
-
-/// Rays [first, first + count), at most GridSegments::kSize. The same bits on every machine.
-inline void placeOnGrid(const PointGrid& grid, const RayColumns& rays, std::size_t first,
-  std::size_t count, GridSegments& segments)
-{
-  IRRADIANCE_CALL_BEST(placeOnGrid, grid, rays, first, count, segments);
-}
 
 }
 

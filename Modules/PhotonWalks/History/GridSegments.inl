@@ -106,8 +106,8 @@ IRRADIANCE_LANES void placeCut(
   std::memcpy(segments.states + at, &states, sizeof states);
 }
 
-IRRADIANCE_LANES void placeAllOnGrid(const PointGrid& grid, const RayColumns& columns,
-  std::size_t first, std::size_t count, GridSegments& segments)
+inline void placeAllOnGrid(const PointGrid& grid, const RayColumns& columns, std::size_t first,
+  std::size_t count, GridSegments& segments)
 {
   for (std::size_t at = 0; at < count; at += kGridLanes)
   {

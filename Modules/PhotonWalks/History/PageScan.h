@@ -4,6 +4,8 @@
 
 #include "History/BouncePage.h"
 #include "History/GridBody.h"
+#include "History/GridSegments.h"
+#include "Simd/SimdLevel.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -58,11 +60,23 @@ struct PageScan
   std::uint16_t* flagged;
 };
 
-void scanPagesPlain(const PageScan& scan);
-#ifdef __x86_64__
-void scanPagesAvx2(const PageScan& scan);
-void scanPagesAvx512(const PageScan& scan);
-#endif
+/// The loops over segments of one instruction set. All sets give the same bits.
+struct BounceLoops
+{
+  void (*scanPages)(const PageScan& scan);
+  /// Rays [first, first + count), at most GridSegments::kSize.
+  void (*placeOnGrid)(const PointGrid& grid, const RayColumns& rays, std::size_t first,
+    std::size_t count, GridSegments& segments);
+};
+
+const BounceLoops& bounceLoopsPlain();
+const BounceLoops& bounceLoopsAvx2();
+const BounceLoops& bounceLoopsAvx512();
+/// With the best instructions of the machine.
+inline const BounceLoops& bounceLoops()
+{
+  return IRRADIANCE_CALL_BEST(bounceLoops, );
+}
 
 }
 

@@ -1,6 +1,6 @@
-// No include guard: each kernel of the scan includes this once, after its GridLanes and between the
-// marks of its target. Products and sums are rounded one by one, so that all kernels flag the same
-// segments.
+// No include guard: each kernel of the scan includes this once, after its GridLanes and
+// GridSegments.inl, between the marks of its target. Products and sums are rounded one by one, so
+// that all kernels flag the same segments.
 
 namespace irradiance
 {
@@ -364,6 +364,8 @@ inline void scanPages(const PageScan& scan)
     : scan.numberOfBodies < kFewestForLines ? scanAll<true, false>(scan)
                                             : scanAll<true, true>(scan);
 }
+
+constexpr BounceLoops kLoops{ scanPages, placeAllOnGrid };
 
 }
 }

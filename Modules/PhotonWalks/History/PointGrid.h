@@ -15,7 +15,7 @@ struct SceneObjects;
  * Grid coordinates of what lies in its box are within kReach of 0. Each axis has a step of its own,
  * as a hall is not as high as it is long.
  *
- * What lies outside is cut off (see placeOnGrid), so the box need not hold everything: it is best
+ * What lies outside is cut off (see BounceLoops), so the box need not hold everything: it is best
  * drawn around what is near to most walks, and around what moves.
  */
 struct PointGrid

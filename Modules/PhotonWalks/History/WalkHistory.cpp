@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "History/WalkHistory.h"
 
-#include <utility>
-
 namespace irradiance
 {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Photons/PhotonTree.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace irradiance

@@ -3,7 +3,6 @@
 
 #include "Sampling/ElementaryFunctions.h"
 
-#include <algorithm>
 #include <functional>
 #include <limits>
 #include <map>
@@ -97,7 +96,7 @@ void StaleWalks::add(
     std::uint32_t end = kAll;
     if (old != before.end() && old->walk == first.walk)
     {
-      count(blocks_[block], history, *old, -1);
+      blocks_[block].power.add(history.power(old->first()), old->gain, -1);
       end = old->bounce; // the rest has been tallied
       ++old;
     }
@@ -108,7 +107,7 @@ void StaleWalks::add(
     mark.powerClass = powerClassOf(carried) & 0x7ffu;
     mark.gain = gainOf(first.walk, first.bounce, carried);
     marks.push_back(mark);
-    count(blocks_[block], history, marks.back(), 1);
+    blocks_[block].power.add(carried, mark.gain, 1);
     tally(history, marks.back(), end, 1, deposits);
   }
   marks.insert(marks.end(), old, before.end());
@@ -118,7 +117,7 @@ void StaleWalks::add(
 void StaleWalks::repair(const WalkHistory& history, StaleMark& mark, std::vector<Deposit>& deposits)
 {
   tally(history, mark, kAll, -1, deposits);
-  count(blocks_[history.indexOf(mark.walk)], history, mark, -1);
+  blocks_[history.indexOf(mark.walk)].power.add(history.power(mark.first()), mark.gain, -1);
   mark.powerClass = 0;
 }
 
@@ -157,16 +156,6 @@ std::int64_t StaleWalks::gainOf(
   return received;
 }
 
-void StaleWalks::countUnborn(std::uint32_t walk, const Power& power)
-{
-  unbornPower_ += power;
-  const std::int64_t gain = gainOf(walk, 0, power);
-  for (int band = 0; band < Power::kMaxBands; ++band)
-  {
-    unbornGain_[band] += power[band] > 0 ? gain : 0; // a band without power gains none
-  }
-}
-
 void StaleWalks::tally(const WalkHistory& history, const StaleMark& mark, std::uint32_t end,
   int sign, std::vector<Deposit>& deposits) const
 {
@@ -185,34 +174,15 @@ void StaleWalks::tally(const WalkHistory& history, const StaleMark& mark, std::u
   }
 }
 
-void StaleWalks::count(Block& block, const WalkHistory& history, const StaleMark& mark, int sign)
+StalePower StaleWalks::power() const
 {
-  const Power carried = history.power(mark.first());
-  for (int band = 0; band < Power::kMaxBands; ++band)
-  {
-    block.power[band] += sign * carried[band];
-    block.gain[band] += carried[band] > 0 ? sign * mark.gain : 0; // a band without power gains none
-  }
-}
-
-Power StaleWalks::power() const
-{
-  Power sum = unbornPower_;
+  StalePower sum = unborn_;
   for (const Block& block : blocks_)
   {
-    sum += block.power;
+    sum.carried += block.power.carried;
+    sum.gain += block.power.gain;
   }
   return sum;
-}
-
-Power StaleWalks::gainBound() const
-{
-  Power gain = unbornGain_;
-  for (const Block& block : blocks_)
-  {
-    gain += block.gain;
-  }
-  return gain;
 }
 
 std::size_t StaleWalks::bytes() const

@@ -20,7 +20,7 @@ struct StaleMark
   std::uint32_t walk;
   std::uint32_t bounce : 21;     ///< a walk has at most 2^20 segments
   std::uint32_t powerClass : 11; ///< what it carries: more if larger, 0: repaired
-  std::int64_t gain;             ///< see StaleWalks::gainBound()
+  std::int64_t gain;             ///< see StalePower
 
   SegmentRef first() const { return { walk, bounce }; }
 };
@@ -34,6 +34,23 @@ inline bool isStale(const StaleMarks& marks, const SegmentRef& segment)
     [](const StaleMark& mark, std::uint32_t walk) { return mark.walk < walk; });
   return found != marks.end() && found->walk == segment.walk && segment.bounce >= found->bounce;
 }
+
+/// Of stale walks: the power that their first stale segments carry, and an upper bound of the quanta
+/// that all cells together receive from their new tails.
+struct StalePower
+{
+  Power carried, gain;
+
+  /// Of a walk; `sign` -1 takes it away.
+  void add(const Power& power, std::int64_t most, int sign)
+  {
+    for (int band = 0; band < Power::kMaxBands; ++band)
+    {
+      carried[band] += sign * power[band];
+      gain[band] += power[band] > 0 ? sign * most : 0; // a band without power gains none
+    }
+  }
+};
 
 /**
  * The stored walks that await repair, the power that their stale tails brought to the cells, and a
@@ -73,10 +90,11 @@ public:
   void setUnborn(const std::vector<std::uint32_t>& walks, const PowerOf& powerOf)
   {
     numberOfUnborn_ = walks.size();
-    unbornPower_ = unbornGain_ = {};
+    unborn_ = {};
     for (const std::uint32_t walk : walks)
     {
-      countUnborn(walk, powerOf(walk));
+      const Power power = powerOf(walk);
+      unborn_.add(power, gainOf(walk, 0, power), 1);
     }
   }
 
@@ -84,12 +102,8 @@ public:
   const CellSums& sums() const { return sums_; }
   /// Adds the deposits that repair() collected.
   void take(const std::vector<Deposit>& deposits) { sums_.add(deposits); }
-  /// The power that the first stale segments carry, and the first segments of walks that are not
-  /// stored yet.
-  Power power() const;
-  /// Upper bound of the quanta that all cells together receive from the repaired tails and those
-  /// walks, if it is known.
-  Power gainBound() const;
+  /// Of all, and of walks that are not stored yet, from their first segments on.
+  StalePower power() const;
   /// False if a material reflects more than kMostReflecting.
   bool isBoundKnown() const { return reflectance_ <= kMostReflecting; }
   std::size_t bytes() const;
@@ -101,8 +115,7 @@ private:
   struct Block
   {
     StaleMarks marks;
-    Power power;
-    Power gain;
+    StalePower power;
   };
 
   /// Collects the deposits of the segments from the mark to `end`.
@@ -115,13 +128,11 @@ private:
    * is not known. `incoming`: what segment `bounce` carries. See Documentation/Theory.md, 4.1.
    */
   std::int64_t gainOf(std::uint32_t walk, std::uint32_t bounce, const Power& incoming) const;
-  void countUnborn(std::uint32_t walk, const Power& power);
-  static void count(Block& block, const WalkHistory& history, const StaleMark& mark, int sign);
 
   std::vector<Block> blocks_;
   CellSums sums_;
   std::size_t numberOfUnborn_ = 0;
-  Power unbornPower_, unbornGain_;
+  StalePower unborn_;
   SobolSequence samples_;
   double reflectance_ = 0; ///< the largest of any triangle
 };

@@ -27,13 +27,14 @@ void passOver(const WalkHistory& history, Execution& execution, const Work& work
 
 }
 
-/// Marked walks of consecutive blocks, on which one thread at a time works.
+/// Walks of consecutive blocks, on which one thread at a time works.
 struct WalkRepair::Unit
 {
-  std::vector<StaleMark*> marks; ///< ordered by walk
-  std::size_t next = 0;
+  std::vector<StaleMark*> marks;       ///< of stale walks, ordered by walk
+  const std::uint32_t* born = nullptr; ///< or walks that are to be born, in order
+  std::size_t next = 0, end = 0;       ///< which of these are left
   std::unique_ptr<RepairWork> open;
-  std::size_t walks = 0; ///< of what is open
+  std::size_t begun = 0; ///< walks of what is open
   double seconds = 0;    ///< spent on it
 };
 
@@ -45,7 +46,7 @@ std::unique_ptr<RepairWork> WalkRepair::take()
   work->firsts.clear();
   work->changes.gone.clear();
   work->changes.arrived.clear();
-  work->hasBegun = false;
+  work->areBorn = work->hasBegun = false;
   return work;
 }
 
@@ -114,6 +115,7 @@ void WalkRepair::repair(StaleWalks& stale, TimeBudget* budget, Execution& execut
   constexpr std::size_t kForAUnit = 128;
   const std::size_t enough = kForAUnit * std::min(kUnits, state_.history.size());
   const auto classes = stale.classes(budget ? enough : std::numeric_limits<std::size_t>::max());
+  hasBegun_ = false;
   double all = 0, done = 0;
   for (const auto& [weakest, walks] : classes)
   {
@@ -125,12 +127,12 @@ void WalkRepair::repair(StaleWalks& stale, TimeBudget* budget, Execution& execut
     {
       break;
     }
-    std::vector<Unit> parts = units(stale, weakest, walks);
+    std::vector<Unit> parts = unitsOf(stale, weakest, walks);
     const double from = done / all;
     done += static_cast<double>(walks);
     ProgressSpan span(execution, from, done / all);
     runSliced(parts.size(), span, [&](std::size_t i, const auto& hasToStop) {
-      return work(parts[i], stale, budget, hasToStop);
+      return work(parts[i], &stale, budget, hasToStop);
     });
   }
   for (std::size_t block = 0; block < state_.history.size(); ++block)
@@ -139,9 +141,46 @@ void WalkRepair::repair(StaleWalks& stale, TimeBudget* budget, Execution& execut
   }
 }
 
+std::vector<std::uint32_t> WalkRepair::shootBorn(
+  const std::vector<std::uint32_t>& walks, TimeBudget* budget, Execution& execution)
+{
+  hasBegun_ = false;
+  std::vector<Unit> units = unitsOf(walks);
+  runSliced(units.size(), execution, [&](std::size_t i, const auto& hasToStop) {
+    return work(units[i], nullptr, budget, hasToStop);
+  });
+  std::vector<std::uint32_t> left;
+  for (const Unit& unit : units)
+  {
+    left.insert(left.end(), unit.born + unit.next, unit.born + unit.end);
+  }
+  return left;
+}
+
+/// A block is one thread's; see below.
+std::vector<WalkRepair::Unit> WalkRepair::unitsOf(const std::vector<std::uint32_t>& walks) const
+{
+  const std::size_t together =
+    std::clamp<std::size_t>(walks.size() / kUnits, 256, WalkFront::kUsualSize);
+  std::vector<Unit> units;
+  std::size_t last = 0;
+  for (const std::uint32_t& walk : walks)
+  {
+    const std::size_t block = state_.history.indexOf(walk);
+    if (units.empty() || (block != last && units.back().end >= together))
+    {
+      units.emplace_back();
+      units.back().born = &walk;
+    }
+    ++units.back().end;
+    last = block;
+  }
+  return units;
+}
+
 /// A block has few stale walks. So walks of several blocks are shot together, as long as that
 /// leaves enough units for all threads.
-std::vector<WalkRepair::Unit> WalkRepair::units(
+std::vector<WalkRepair::Unit> WalkRepair::unitsOf(
   StaleWalks& stale, std::uint16_t weakest, std::size_t walks) const
 {
   const std::size_t together = std::max<std::size_t>(std::min(walks / kUnits, kBatchSize), 1);
@@ -157,6 +196,7 @@ std::vector<WalkRepair::Unit> WalkRepair::units(
       if (mark.powerClass >= weakest) // no stronger class is left
       {
         units.back().marks.push_back(&mark);
+        ++units.back().end;
       }
     }
   }
@@ -164,7 +204,7 @@ std::vector<WalkRepair::Unit> WalkRepair::units(
 }
 
 bool WalkRepair::work(
-  Unit& unit, StaleWalks& stale, TimeBudget* budget, const std::function<bool()>& hasToStop)
+  Unit& unit, StaleWalks* stale, TimeBudget* budget, const std::function<bool()>& hasToStop)
 {
   const auto now = [&] { return budget ? budget->now() : 0; }; // without a budget no clock is read
   while (unit.open || (unit.open = begin(unit, stale, budget)))
@@ -182,7 +222,7 @@ bool WalkRepair::work(
     }
     if (budget)
     {
-      budget->spend(unit.seconds, unit.walks);
+      budget->spend(unit.seconds, unit.begun);
     }
     if (hasToStop())
     {
@@ -192,34 +232,54 @@ bool WalkRepair::work(
   return true;
 }
 
-std::unique_ptr<RepairWork> WalkRepair::begin(Unit& unit, StaleWalks& stale, TimeBudget* budget)
+std::unique_ptr<RepairWork> WalkRepair::begin(Unit& unit, StaleWalks* stale, TimeBudget* budget)
 {
   constexpr std::size_t kFirst = 16;
-  const std::size_t left = std::min(unit.marks.size() - unit.next, kBatchSize);
+  const std::size_t most = stale || budget ? kBatchSize : WalkFront::kUsualSize;
+  const std::size_t left = std::min(unit.end - unit.next, most);
   if (left == 0)
   {
     return nullptr;
   }
   const double start = budget ? budget->now() : 0;
-  unit.walks = !budget ? left : hasBegun_ ? budget->itemsToBegin(left) : std::min(left, kFirst);
-  if (unit.walks == 0)
+  unit.begun = !budget ? left : hasBegun_ ? budget->itemsToBegin(left) : std::min(left, kFirst);
+  if (unit.begun == 0)
   {
     return nullptr;
   }
   hasBegun_ = true;
   std::unique_ptr<RepairWork> work = take();
+  stale ? addMarked(unit, *stale, *work) : addBorn(unit, *work);
+  unit.next += unit.begun;
+  unit.seconds = budget ? budget->now() - start : 0;
+  return work;
+}
+
+void WalkRepair::addMarked(const Unit& unit, StaleWalks& stale, RepairWork& work)
+{
   std::vector<SegmentPlace> places;
   std::vector<Deposit> deposits;
-  for (std::size_t i = unit.next; i < unit.next + unit.walks; ++i)
+  for (std::size_t i = unit.next; i < unit.next + unit.begun; ++i)
   {
     places.push_back(state_.history.placeOf(unit.marks[i]->first()));
     stale.repair(state_.history, *unit.marks[i], deposits);
   }
   stale.take(deposits);
-  unit.next += unit.walks;
-  state_.verifier.castAgain(places, work->verifier, work->batch.front());
-  unit.seconds = budget ? budget->now() - start : 0;
-  return work;
+  state_.verifier.castAgain(places, work.verifier, work.batch.front());
+}
+
+void WalkRepair::addBorn(const Unit& unit, RepairWork& work) const
+{
+  work.areBorn = true;
+  WalkFront& front = work.batch.front();
+  front.reserve(unit.begun, state_.history.bands());
+  front.size = unit.begun;
+  for (std::size_t i = 0; i < unit.begun; ++i)
+  {
+    front.walk[i] = unit.born[unit.next + i];
+    front.block[i] = static_cast<std::uint32_t>(state_.history.indexOf(front.walk[i]));
+    work.firsts.push_back({ front.walk[i], 0 });
+  }
 }
 
 void WalkRepair::removeOld(RepairWork& work, FrontTally& tally)
@@ -284,7 +344,11 @@ bool WalkRepair::shoot(RepairWork& work, const std::function<bool()>& hasToStop)
     constexpr std::size_t kUsualTail = 8; // photons that go and come
     FrontTally tally(state_.tracer.triangles(), state_.sums, balance, state_.tracer.powerPerWalk(),
       kUsualTail * work.batch.front().size);
-    if (!std::exchange(work.hasBegun, true))
+    if (const bool isFirst = !std::exchange(work.hasBegun, true); isFirst && work.areBorn)
+    {
+      work.batch.start(tally);
+    }
+    else if (isFirst)
     {
       removeOld(work, tally);
       work.batch.resume(state_.changes || !work.verifier.hidden.empty());

@@ -16,7 +16,7 @@
 namespace irradiance
 {
 
-/// What a thread needs to find stale walks and to shoot them again.
+/// What a thread needs to find stale walks and to shoot them again, or others for the first time.
 struct RepairWork
 {
   WalkBatch batch; ///< its front: first stale segments, then the tails that are shot
@@ -24,12 +24,14 @@ struct RepairWork
   WalkFront old;                  ///< segments that are taken back
   std::vector<SegmentRef> firsts; ///< of the tails that are shot
   PhotonChanges changes;
-  bool hasBegun = false; ///< the old tails are removed
+  bool areBorn = false;  ///< the walks of the front start
+  bool hasBegun = false; ///< they have, or the old tails are removed
 };
 
 /**
  * Shoots stale walks again from their first stale segment on, walks of several blocks side by side:
- * those that a motion changed, in one pass with their verification; or those that were marked.
+ * those that a motion changed, in one pass with their verification; or those that were marked. And
+ * walks that start where direct light arrives since a motion.
  *
  * With a budget of time those marked come first whose stale segments carry most power. A walk is
  * repaired completely or not at all: what a thread has begun it finishes, some hundred walks. The
@@ -69,7 +71,11 @@ public:
   void verifyAndRepair(Execution& execution);
   /// Verifies all walks and marks those that are stale.
   void verifyAndMark(StaleWalks& stale, Execution& execution);
-  /// Repairs marked walks. `budget`: null: there is time for all.
+  /// Shoots walks that are not stored yet, which are ordered by number; returns those that are left.
+  /// `budget`: null: there is time for all.
+  std::vector<std::uint32_t> shootBorn(
+    const std::vector<std::uint32_t>& walks, TimeBudget* budget, Execution& execution);
+  /// Repairs marked walks.
   void repair(StaleWalks& stale, TimeBudget* budget, Execution& execution);
 
   const Figures& figures() const { return figures_; }
@@ -77,11 +83,15 @@ public:
 private:
   struct Unit;
 
-  std::vector<Unit> units(StaleWalks& stale, std::uint16_t weakest, std::size_t walks) const;
+  std::vector<Unit> unitsOf(StaleWalks& stale, std::uint16_t weakest, std::size_t walks) const;
+  std::vector<Unit> unitsOf(const std::vector<std::uint32_t>& walks) const;
+  /// `stale`: of marked walks; null: they are to be born.
   bool work(
-    Unit& unit, StaleWalks& stale, TimeBudget* budget, const std::function<bool()>& hasToStop);
+    Unit& unit, StaleWalks* stale, TimeBudget* budget, const std::function<bool()>& hasToStop);
   /// The next walks of a unit; null if there are none or the time is up.
-  std::unique_ptr<RepairWork> begin(Unit& unit, StaleWalks& stale, TimeBudget* budget);
+  std::unique_ptr<RepairWork> begin(Unit& unit, StaleWalks* stale, TimeBudget* budget);
+  void addMarked(const Unit& unit, StaleWalks& stale, RepairWork& work);
+  void addBorn(const Unit& unit, RepairWork& work) const;
 
   std::unique_ptr<RepairWork> take();
   /// Removes the old tails of the front.

@@ -4,59 +4,8 @@
 
 #include "Sampling/SobolSequence.h"
 
-#include <vector>
-
 namespace irradiance
 {
-
-/// The sample keys of all walks for one use, at the first bounces: a table by bounce and replicate,
-/// for lanes.
-class BounceKeys
-{
-public:
-  /// Further bounces are rare.
-  static constexpr std::uint32_t kUsualBounces = 32;
-
-  /// `samples` must outlive this. `bounces`: of the table, from 0 on.
-  BounceKeys(const SobolSequence& samples, SampleUse use, std::uint32_t bounces = kUsualBounces)
-    : samples_(&samples)
-    , use_(use)
-    , bounces_(bounces)
-    , replicates_(samples.replicates().count())
-    , firstWalk_(samples.replicates().firstWalk())
-    , keys_(3 * size())
-  {
-    for (std::size_t i = 0; i < size(); ++i)
-    {
-      // The first walks are of one replicate each, in their order.
-      const auto bounce = static_cast<std::uint32_t>(i / replicates_),
-                 replicate = static_cast<std::uint32_t>(i % replicates_);
-      const SampleKeys keys = samples.keysOf(firstWalk_ + replicate, bounce, use);
-      keys_[i] = keys.shuffle;
-      keys_[size() + i] = keys.scrambles[0];
-      keys_[2 * size() + i] = keys.scrambles[1];
-    }
-  }
-
-  const SobolSequence& samples() const { return *samples_; }
-  SampleUse use() const { return use_; }
-  std::uint32_t bounces() const { return bounces_; }
-  std::uint32_t replicates() const { return replicates_; }
-  std::uint32_t firstWalk() const { return firstWalk_; }
-
-  /// By bounce, then by replicate.
-  const std::uint32_t* shuffles() const { return keys_.data(); }
-  const std::uint32_t* scramblesX() const { return keys_.data() + size(); }
-  const std::uint32_t* scramblesY() const { return keys_.data() + 2 * size(); }
-
-private:
-  std::size_t size() const { return std::size_t{ bounces_ } * replicates_; }
-
-  const SobolSequence* samples_;
-  SampleUse use_;
-  std::uint32_t bounces_, replicates_, firstWalk_;
-  std::vector<std::uint32_t> keys_;
-};
 
 /// What walks side by side need to know of Replicates: the division for all lanes at once.
 struct ReplicateLanes
@@ -98,10 +47,10 @@ struct SampleGroup
   /// Draws samples for the bounces given plus `ahead`. Is quickest for walks that are all at one
   /// bounce, quick for any bounces of the table of keys, and looks up all others walk by walk. Is
   /// compiled once for each instruction set.
-  __attribute__((always_inline)) void draw(const BounceKeys& keys, const std::uint32_t* walks,
-    const std::uint32_t* bounces, std::uint32_t ahead)
+  __attribute__((always_inline)) void draw(const SobolSequence& samples, SampleUse use,
+    const std::uint32_t* walks, const std::uint32_t* bounces, std::uint32_t ahead)
   {
-    setKeys(keys, walks, bounces, ahead);
+    setKeys(samples, use, walks, bounces, ahead);
     for (unsigned lane = 0; lane < kSize; ++lane)
     {
       const SobolPoint point(index[lane], shuffle[lane], scrambleX[lane], scrambleY[lane]);
@@ -110,10 +59,10 @@ struct SampleGroup
     }
   }
   /// Only the first coordinates.
-  __attribute__((always_inline)) void drawFirst(const BounceKeys& keys, const std::uint32_t* walks,
-    const std::uint32_t* bounces, std::uint32_t ahead)
+  __attribute__((always_inline)) void drawFirst(const SobolSequence& samples, SampleUse use,
+    const std::uint32_t* walks, const std::uint32_t* bounces, std::uint32_t ahead)
   {
-    setKeys(keys, walks, bounces, ahead);
+    setKeys(samples, use, walks, bounces, ahead);
     for (unsigned lane = 0; lane < kSize; ++lane)
     {
       x[lane] = SobolPoint(index[lane], shuffle[lane], scrambleX[lane], 0).x;
@@ -121,8 +70,8 @@ struct SampleGroup
   }
 
 private:
-  __attribute__((always_inline)) void setKeys(const BounceKeys& keys, const std::uint32_t* walks,
-    const std::uint32_t* bounces, std::uint32_t ahead)
+  __attribute__((always_inline)) void setKeys(const SobolSequence& samples, SampleUse use,
+    const std::uint32_t* walks, const std::uint32_t* bounces, std::uint32_t ahead)
   {
     const std::uint32_t first = bounces[0];
     std::uint32_t others = 0, most = 0;
@@ -131,70 +80,46 @@ private:
       others |= bounces[lane] ^ first;
       most = bounces[lane] > most ? bounces[lane] : most;
     }
-    if (most + ahead >= keys.bounces())
+    if (most + ahead >= SobolSequence::kKnownBounces)
     {
-      lookUp(keys, walks, bounces, ahead);
+      lookUp(samples, use, walks, bounces, ahead);
     }
-    else if (others != 0)
+    else if (others != 0 || samples.replicates().count() > 1)
     {
-      setMixed(keys, walks, bounces, ahead);
-    }
-    else if (keys.replicates() == 1)
-    {
-      setSame(keys, walks, first + ahead);
+      setMixed(samples, use, walks, bounces, ahead);
     }
     else
     {
-      setReplicates(keys, walks, first + ahead);
+      setSame(samples, use, walks, first + ahead);
     }
   }
-
   /// One replicate, one bounce.
   __attribute__((always_inline)) void setSame(
-    const BounceKeys& keys, const std::uint32_t* walks, std::uint32_t bounce)
+    const SobolSequence& samples, SampleUse use, const std::uint32_t* walks, std::uint32_t bounce)
   {
-    const std::uint32_t first = keys.firstWalk(), ofIndex = keys.shuffles()[bounce],
-                        ofX = keys.scramblesX()[bounce], ofY = keys.scramblesY()[bounce];
+    const std::uint32_t first = samples.replicates().firstWalk();
+    const SampleKeys keys = *samples.keysAt(bounce, use);
     for (unsigned lane = 0; lane < kSize; ++lane)
     {
       index[lane] = walks[lane] - first;
-      shuffle[lane] = ofIndex;
-      scrambleX[lane] = ofX;
-      scrambleY[lane] = ofY;
+      shuffle[lane] = keys.shuffle;
+      scrambleX[lane] = keys.scrambles[0];
+      scrambleY[lane] = keys.scrambles[1];
     }
   }
-
-  /// One bounce.
-  __attribute__((always_inline)) void setReplicates(
-    const BounceKeys& keys, const std::uint32_t* walks, std::uint32_t bounce)
+  /// Several replicates, or bounces as repairs bring them, all known.
+  __attribute__((always_inline)) void setMixed(const SobolSequence& samples, SampleUse use,
+    const std::uint32_t* walks, const std::uint32_t* bounces, std::uint32_t ahead)
   {
-    ReplicateLanes lanes;
-    lanes.set(walks, keys.firstWalk(), keys.replicates());
-    const std::size_t row = std::size_t{ bounce } * keys.replicates();
-    const std::uint32_t *shuffles = keys.shuffles() + row, *scramblesX = keys.scramblesX() + row,
-                        *scramblesY = keys.scramblesY() + row;
-    for (unsigned lane = 0; lane < kSize; ++lane)
-    {
-      const std::uint32_t replicate = lanes.replicate[lane];
-      index[lane] = lanes.number[lane];
-      shuffle[lane] = shuffles[replicate];
-      scrambleX[lane] = scramblesX[replicate];
-      scrambleY[lane] = scramblesY[replicate];
-    }
-  }
-
-  /// Bounces as repairs bring them, all in the table.
-  __attribute__((always_inline)) void setMixed(const BounceKeys& keys, const std::uint32_t* walks,
-    const std::uint32_t* bounces, std::uint32_t ahead)
-  {
-    const std::uint32_t count = keys.replicates(), first = keys.firstWalk();
-    alignas(64) std::uint32_t place[kSize];
+    const std::uint32_t first = samples.replicates().firstWalk(),
+                        count = samples.replicates().count();
+    alignas(64) std::uint32_t row[kSize];
     if (count == 1)
     {
       for (unsigned lane = 0; lane < kSize; ++lane)
       {
         index[lane] = walks[lane] - first;
-        place[lane] = bounces[lane] + ahead;
+        row[lane] = (bounces[lane] + ahead) * SobolSequence::kUses;
       }
     }
     else
@@ -204,27 +129,27 @@ private:
       for (unsigned lane = 0; lane < kSize; ++lane)
       {
         index[lane] = lanes.number[lane];
-        place[lane] = (bounces[lane] + ahead) * count + lanes.replicate[lane];
+        row[lane] =
+          (bounces[lane] + ahead) * (SobolSequence::kUses * count) + lanes.replicate[lane];
       }
     }
-    const std::uint32_t *shuffles = keys.shuffles(), *scramblesX = keys.scramblesX(),
-                        *scramblesY = keys.scramblesY();
+    const SampleKeys* const keys = samples.keysAt(0, use);
     for (unsigned lane = 0; lane < kSize; ++lane)
     {
-      shuffle[lane] = shuffles[place[lane]];
-      scrambleX[lane] = scramblesX[place[lane]];
-      scrambleY[lane] = scramblesY[place[lane]];
+      const SampleKeys& own = keys[row[lane]];
+      shuffle[lane] = own.shuffle;
+      scrambleX[lane] = own.scrambles[0];
+      scrambleY[lane] = own.scrambles[1];
     }
   }
-
   /// Not for lanes: bounces may be any.
-  __attribute__((noinline)) void lookUp(const BounceKeys& keys, const std::uint32_t* walks,
-    const std::uint32_t* bounces, std::uint32_t ahead)
+  __attribute__((noinline)) void lookUp(const SobolSequence& samples, SampleUse use,
+    const std::uint32_t* walks, const std::uint32_t* bounces, std::uint32_t ahead)
   {
     for (unsigned lane = 0; lane < kSize; ++lane)
     {
-      const SampleKeys own = keys.samples().keysOf(walks[lane], bounces[lane] + ahead, keys.use());
-      index[lane] = keys.samples().indexOf(walks[lane]);
+      const SampleKeys own = samples.keysOf(walks[lane], bounces[lane] + ahead, use);
+      index[lane] = samples.indexOf(walks[lane]);
       shuffle[lane] = own.shuffle;
       scrambleX[lane] = own.scrambles[0];
       scrambleY[lane] = own.scrambles[1];

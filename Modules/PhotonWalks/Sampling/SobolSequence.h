@@ -5,7 +5,10 @@
 #include "Sampling/SobolPoint.h"
 #include "Sampling/WalkPlan.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
+#include <vector>
 
 namespace irradiance
 {
@@ -34,16 +37,20 @@ enum class SampleUse : std::uint32_t
 class SobolSequence
 {
 public:
+  static constexpr std::uint32_t kUses = 6;
+  static constexpr std::uint32_t kKnownBounces = 32; ///< more are rare
+
   explicit SobolSequence(std::uint64_t seed, const Replicates& replicates = Replicates())
     : replicates_(replicates)
   {
     for (std::uint32_t replicate = 0; replicate < replicates.count(); ++replicate)
     {
       seeds_.push_back(replicate == 0 ? seed : splitMix(splitMix(seed) + replicate));
-      for (std::uint32_t i = 0; i < kUses * kKnownBounces; ++i)
-      {
-        keys_.push_back(keysOf(seeds_.back(), i / kUses, i % kUses));
-      }
+    }
+    for (std::uint32_t i = 0; i < kUses * kKnownBounces; ++i)
+    {
+      std::transform(seeds_.begin(), seeds_.end(), std::back_inserter(keys_),
+        [i](std::uint64_t own) { return keysOf(own, i / kUses, i % kUses); });
     }
   }
 
@@ -58,16 +65,18 @@ public:
   SampleKeys keysOf(std::uint32_t walk, std::uint32_t bounce, SampleUse use) const
   {
     const std::uint32_t replicate = replicates_.replicateOf(walk);
-    const auto number = static_cast<std::uint32_t>(use);
     return bounce < kKnownBounces
-      ? keys_[(std::size_t{ replicate } * kKnownBounces + bounce) * kUses + number]
-      : keysOf(seeds_[replicate], bounce, number);
+      ? keysAt(bounce, use)[replicate]
+      : keysOf(seeds_[replicate], bounce, static_cast<std::uint32_t>(use));
+  }
+  /// Of all replicates, at one of the first kKnownBounces; kUses times as many at each bounce.
+  const SampleKeys* keysAt(std::uint32_t bounce, SampleUse use) const
+  {
+    const std::size_t row = bounce * kUses + static_cast<std::uint32_t>(use);
+    return keys_.data() + row * replicates_.count();
   }
 
 private:
-  static constexpr std::uint32_t kUses = 6;
-  static constexpr std::uint32_t kKnownBounces = 32; ///< more are rare
-
   static SampleKeys keysOf(std::uint64_t seed, std::uint32_t bounce, std::uint32_t use)
   {
     return SampleKeys(splitMix(seed ^ splitMix(std::uint64_t{ bounce } << 32 | use)));
@@ -75,7 +84,7 @@ private:
 
   Replicates replicates_;
   std::vector<std::uint64_t> seeds_; ///< of each replicate
-  std::vector<SampleKeys> keys_;     ///< of each replicate, its first bounces, and uses
+  std::vector<SampleKeys> keys_;     ///< of the first bounces, their uses, and each replicate
 };
 
 }

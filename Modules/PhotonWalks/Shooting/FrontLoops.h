@@ -55,21 +55,21 @@ struct FrontLoops
 {
   /// Chooses lights and places on them. Reads walk and bounce, which is 0; writes start, weights,
   /// side, and the light as candidate. `cumulativeFlux`: W. `triangles`: of each light, or kNone.
-  void (*start)(WalkFront& front, const BounceKeys& lights, const BounceKeys& positions,
+  void (*start)(WalkFront& front, const SobolSequence& samples,
     const std::vector<double>& cumulativeFlux, const std::uint32_t* triangles);
   /// Decides which walks survive by the thresholds of CellLook. Reads walk, bounce and hit; writes
   /// survivors.
-  void (*survive)(WalkFront& front, SceneRows rows, const BounceKeys& keys);
+  void (*survive)(WalkFront& front, SceneRows rows, const SobolSequence& samples);
   /// Draws the samples alone, for the bounces to come. Reads walk and bounce; writes the first
   /// coordinates as candidate.
-  void (*draw)(WalkFront& front, const BounceKeys& keys);
+  void (*draw)(WalkFront& front, const SobolSequence& samples);
   /// Takes the survivors, in order and without gaps, to the next front: start, weights, side, walk,
   /// bounce, block, parent. `hasGlossy`: also isSpecular, the incoming directions and the origins.
   /// Several bands: also the powers.
   void (*pack)(const WalkFront& from, WalkFront& to, bool hasGlossy, int bands);
   /// Where the rays of walks begin, and their directions. Reads walk, bounce, start, weights and
   /// side; writes the ray.
-  void (*leave)(WalkFront& front, SceneRows rows, const BounceKeys& keys);
+  void (*leave)(WalkFront& front, SceneRows rows, const SobolSequence& samples);
   /// Which sides the rays hit. Reads direction and hit; writes hitSide.
   void (*findSides)(WalkFront& front, SceneRows rows);
   void (*findSlots)(const SlotsLoop& loop);

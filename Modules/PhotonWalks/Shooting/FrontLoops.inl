@@ -54,16 +54,16 @@ __attribute__((always_inline)) inline void placeOnTriangles(
   std::memcpy(weightC, c, sizeof(c));
 }
 
-void startLoop(WalkFront& front, const BounceKeys& lights, const BounceKeys& positions,
+void startLoop(WalkFront& front, const SobolSequence& samples,
   const std::vector<double>& cumulativeFlux, const std::uint32_t* triangles)
 {
-  SampleGroup samples;
+  SampleGroup group;
   std::uint32_t chosen[kGroup], starts[kGroup];
   for (std::size_t i = 0; i < front.size; i += kGroup)
   {
     const std::uint32_t *walks = &front.walk[i], *bounces = &front.bounce[i];
-    samples.drawFirst(lights, walks, bounces, 0);
-    chooseLights(cumulativeFlux, samples.x, chosen);
+    group.drawFirst(samples, SampleUse::Light, walks, bounces, 0);
+    chooseLights(cumulativeFlux, group.x, chosen);
     for (unsigned lane = 0; lane < kGroup; ++lane)
     {
       starts[lane] = triangles[chosen[lane]];
@@ -71,8 +71,8 @@ void startLoop(WalkFront& front, const BounceKeys& lights, const BounceKeys& pos
     std::memcpy(&front.candidate[i], chosen, sizeof(chosen));
     std::memcpy(&front.start[i], starts, sizeof(starts));
     std::memset(&front.side[i], 1, kGroup);
-    samples.draw(positions, walks, bounces, 0);
-    placeOnTriangles(samples, &front.weightB[i], &front.weightC[i]);
+    group.draw(samples, SampleUse::Position, walks, bounces, 0);
+    placeOnTriangles(group, &front.weightB[i], &front.weightC[i]);
   }
 }
 
@@ -89,14 +89,14 @@ __attribute__((always_inline)) inline void prefetchLooks(
 }
 
 template <class Lanes>
-void surviveLoop(WalkFront& front, SceneRows rows, const BounceKeys& keys)
+void surviveLoop(WalkFront& front, SceneRows rows, const SobolSequence& samples)
 {
   static_assert(CellLook::kSurvivesAlways == 1u << 31);
-  SampleGroup samples;
+  SampleGroup group;
   alignas(64) std::uint32_t threshold[kGroup], always[kGroup], survives[kGroup];
   for (std::size_t i = 0; i < front.size; i += kGroup)
   {
-    samples.drawFirst(keys, &front.walk[i], &front.bounce[i], 1);
+    group.drawFirst(samples, SampleUse::Survival, &front.walk[i], &front.bounce[i], 1);
     const std::uint32_t* const hits = &front.hit[i];
     for (unsigned lane = 0; lane < kGroup; ++lane) // the tally has just read the same looks
     {
@@ -106,19 +106,19 @@ void surviveLoop(WalkFront& front, SceneRows rows, const BounceKeys& keys)
     }
     for (unsigned lane = 0; lane < kGroup; ++lane)
     {
-      survives[lane] = static_cast<std::uint32_t>(samples.x[lane] < threshold[lane]) | always[lane];
+      survives[lane] = static_cast<std::uint32_t>(group.x[lane] < threshold[lane]) | always[lane];
     }
     front.survivors[i / kGroup] = Lanes::maskOf(survives);
   }
 }
 
-void drawLoop(WalkFront& front, const BounceKeys& keys)
+void drawLoop(WalkFront& front, const SobolSequence& samples)
 {
-  SampleGroup samples;
+  SampleGroup group;
   for (std::size_t i = 0; i < front.size; i += kGroup)
   {
-    samples.drawFirst(keys, &front.walk[i], &front.bounce[i], 1);
-    std::copy_n(samples.x, kGroup, &front.candidate[i]);
+    group.drawFirst(samples, SampleUse::Survival, &front.walk[i], &front.bounce[i], 1);
+    std::copy_n(group.x, kGroup, &front.candidate[i]);
   }
 }
 
@@ -238,9 +238,9 @@ __attribute__((always_inline)) inline void prefetchRecords(
 }
 
 template <class Lanes>
-void leaveLoop(WalkFront& front, SceneRows rows, const BounceKeys& keys)
+void leaveLoop(WalkFront& front, SceneRows rows, const SobolSequence& samples)
 {
-  SampleGroup samples;
+  SampleGroup group;
   RecordLanes record;
   alignas(64) double side[kGroup], origin[3][kGroup];
   alignas(64) float normal[3][kGroup], direction[3][kGroup];
@@ -256,11 +256,11 @@ void leaveLoop(WalkFront& front, SceneRows rows, const BounceKeys& keys)
     std::memcpy(&front.originX[i], origin[0], sizeof(origin[0]));
     std::memcpy(&front.originY[i], origin[1], sizeof(origin[1]));
     std::memcpy(&front.originZ[i], origin[2], sizeof(origin[2]));
-    samples.draw(keys, &front.walk[i], &front.bounce[i], 0);
+    group.draw(samples, SampleUse::Direction, &front.walk[i], &front.bounce[i], 0);
     for (unsigned lane = 0; lane < kGroup; ++lane)
     {
       const CosineDirectionInFloat leaving(
-        normal[0][lane], normal[1][lane], normal[2][lane], samples.x[lane], samples.y[lane]);
+        normal[0][lane], normal[1][lane], normal[2][lane], group.x[lane], group.y[lane]);
       direction[0][lane] = leaving.x;
       direction[1][lane] = leaving.y;
       direction[2][lane] = leaving.z;

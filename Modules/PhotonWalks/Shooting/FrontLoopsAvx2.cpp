@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #ifdef __x86_64__
 
+#include "Kernels/PrepareLanes.h"
 #include "Sampling/DirectionSampling.h"
 #include "Shooting/FrontLoops.h"
 #include "Simd/Prefetch.h"
@@ -60,18 +61,9 @@ struct Avx2Lanes
       for (unsigned column = 0; column < RecordLanes::kColumns; column += 4)
       {
         double* const to = columns + std::size_t{ column } * kGroup + row;
-        const __m256d a = _mm256_load_pd(rows[row] + column),
-                      b = _mm256_load_pd(rows[row + 1] + column),
-                      c = _mm256_load_pd(rows[row + 2] + column),
-                      d = _mm256_load_pd(rows[row + 3] + column);
-        const __m256d even = _mm256_unpacklo_pd(a, b), odd = _mm256_unpackhi_pd(a, b),
-                      evenBelow = _mm256_unpacklo_pd(c, d), oddBelow = _mm256_unpackhi_pd(c, d);
-        _mm256_store_pd(to, _mm256_permute2f128_pd(even, evenBelow, 0x20));
-        _mm256_store_pd(to + kGroup, _mm256_permute2f128_pd(odd, oddBelow, 0x20));
-        _mm256_store_pd(
-          to + std::size_t{ 2 } * kGroup, _mm256_permute2f128_pd(even, evenBelow, 0x31));
-        _mm256_store_pd(
-          to + std::size_t{ 3 } * kGroup, _mm256_permute2f128_pd(odd, oddBelow, 0x31));
+        const double* const* const at = rows + row;
+        transpose4<double>({ at[0] + column, at[1] + column, at[2] + column, at[3] + column },
+          { to, to + kGroup, to + std::size_t{ 2 } * kGroup, to + std::size_t{ 3 } * kGroup });
       }
     }
   }

@@ -38,6 +38,12 @@ void setOrigin(WalkFront& front, std::size_t place, const Vector3& origin)
   front.originZ[place] = origin[2];
 }
 
+/// Light of all others leaves faces diffusely.
+bool startsItself(const Light& light)
+{
+  return !light.area() || light.distribution();
+}
+
 }
 
 Vector3 roundedDirection(const Vector3& direction, const Vector3& normal)
@@ -50,17 +56,6 @@ Vector3 roundedDirection(const Vector3& direction, const Vector3& normal)
   return nearest.dot(normal) > kGrazing ? nearest : rounded(direction + kLift * normal);
 }
 
-namespace
-{
-
-/// Light of all others leaves faces diffusely.
-bool startsItself(const Light& light)
-{
-  return !light.area() || light.distribution();
-}
-
-}
-
 WalkStages::WalkStages(const SceneObjects& objects, const SceneTriangles& triangles,
   const LightTable& lights, const SobolSequence& samples, const DirectRounds* gathered)
   : objects_(objects)
@@ -68,10 +63,6 @@ WalkStages::WalkStages(const SceneObjects& objects, const SceneTriangles& triang
   , lights_(lights)
   , samples_(samples)
   , gathered_(gathered)
-  , lightKeys_(samples, SampleUse::Light, 1)
-  , positionKeys_(samples, SampleUse::Position, 1)
-  , survivalKeys_(samples, SampleUse::Survival)
-  , directionKeys_(samples, SampleUse::Direction)
 {
   for (const Light& light : lights.lights())
   {
@@ -95,8 +86,7 @@ void WalkStages::startAtLights(WalkFront& front) const
 {
   assert(!lights_.isEmpty());
   front.pad();
-  frontLoops().start(
-    front, lightKeys_, positionKeys_, lights_.cumulativeFlux(), triangleOfLight_.data());
+  frontLoops().start(front, samples_, lights_.cumulativeFlux(), triangleOfLight_.data());
   if (triangles_.hasGlossy())
   {
     std::fill_n(front.isSpecular.data(), front.size, std::uint8_t{ 0 });
@@ -171,12 +161,12 @@ void WalkStages::absorb(WalkFront& from, WalkFront& to) const
   from.pad();
   if (bands() == 1)
   {
-    frontLoops().survive(from, SceneRows(triangles_), survivalKeys_);
+    frontLoops().survive(from, SceneRows(triangles_), samples_);
     chooseReflections(from);
   }
   else
   {
-    frontLoops().draw(from, survivalKeys_);
+    frontLoops().draw(from, samples_);
     decideByPowers(from);
   }
   frontLoops().pack(from, to, triangles_.hasGlossy(), bands());
@@ -247,7 +237,7 @@ void WalkStages::leave(WalkFront& front) const
   }
   front.pad();
   const auto specular = specularDirections(front); // the loop overwrites what it reads
-  frontLoops().leave(front, SceneRows(triangles_), directionKeys_);
+  frontLoops().leave(front, SceneRows(triangles_), samples_);
   for (const auto& [row, direction] : specular)
   {
     setDirection(front, row, direction);

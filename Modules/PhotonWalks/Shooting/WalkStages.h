@@ -5,7 +5,7 @@
 #include "DirectLight/DirectGather.h"
 #include "Lights/LightTable.h"
 #include "Meshes/SurfacePoint.h"
-#include "Sampling/SampleGroup.h"
+#include "Sampling/SobolSequence.h"
 #include "Shooting/FrontTally.h"
 #include "Shooting/WalkFront.h"
 #include "Surfaces/Absorption.h"
@@ -113,7 +113,6 @@ private:
   const LightTable& lights_;
   const SobolSequence& samples_;
   const DirectRounds* gathered_;
-  BounceKeys lightKeys_, positionKeys_, survivalKeys_, directionKeys_;
   std::vector<std::uint32_t> triangleOfLight_;
   bool hasOwnStarts_ = false; ///< of lights that are no diffuse faces
 };

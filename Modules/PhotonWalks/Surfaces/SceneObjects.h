@@ -38,7 +38,7 @@ struct SceneObjects
 {
   SceneObject staticObject; ///< its pose is the identity
   std::vector<SceneObject> dynamicObjects;
-  std::shared_ptr<const Sky> sky; ///< null: none
+  std::shared_ptr<const Sky> sky{}; ///< null: none
 
   const SceneObject& operator[](std::uint32_t object) const
   {

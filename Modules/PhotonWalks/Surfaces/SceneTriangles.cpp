@@ -52,10 +52,4 @@ bool SceneTriangles::fill(const Origin& origin, ThrottledCancelPoint& pace)
   return isGlossy;
 }
 
-std::size_t SceneTriangles::bytes() const
-{
-  return surfaces_.bytes() + looks_.capacity() * sizeof(CellLook) +
-    origins_.capacity() * sizeof(Origin);
-}
-
 }

@@ -86,8 +86,6 @@ public:
   /// By number, and one more for what hits nothing: no walk survives there.
   const CellLook* looks() const { return looks_.data(); }
   bool hasGlossy() const { return hasGlossy_; }
-  /// Of its memory.
-  std::size_t bytes() const;
 
 private:
   /// What the looks of an object were made of: its material, first cell, first triangle, and the

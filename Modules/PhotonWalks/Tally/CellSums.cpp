@@ -2,11 +2,9 @@
 #include "Tally/CellSums.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cstring>
 #include <functional>
 #include <numeric>
-#include <utility>
 
 namespace irradiance
 {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tally/PhotonCounts.h"
 
-#include <algorithm>
 #include <cassert>
 
 namespace irradiance

@@ -2,7 +2,6 @@
 #include "Views/OutgoingRadiance.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace irradiance
 {
@@ -33,7 +32,7 @@ std::vector<OutgoingRadiance::Light> OutgoingRadiance::at(
           // By object and cell: absent cells have numbers in a frame that follows others, and none
           // in a fresh one.
           const std::uint64_t number = std::uint64_t{ cell.object } << 40 | cell.cell;
-          paths.addSpecular(gather_->scene(), engine_.cells().numbers()[cell], number,
+          paths.addSpecular(engine_.cells().numbers()[cell], number,
             [&](const Vector3& point) { return eye.directionFrom(point); });
         }
       }

@@ -198,7 +198,7 @@ FollowedPaths SensorFinalGather::pathsOf(const std::vector<Rays::Start>& starts,
       }
       if (!rays.empty())
       {
-        paths.addPoint(scene(), *starts[i].place, numbers[i], rays);
+        paths.addPoint(*starts[i].place, numbers[i], rays);
       }
       first += i < before.starts.size() && before.starts[i].place ? scene().rays : 0;
     }

@@ -4,6 +4,7 @@
 #include "DirectLight/DirectPilot.h"
 #include "DirectLight/FirstHits.h"
 #include "Repair/SceneChange.h"
+#include "Surfaces/Frame.h"
 
 #include <algorithm>
 #include <array>
@@ -115,6 +116,49 @@ double unevennessOf(const std::vector<WalkSource>& sources, const std::vector<Fi
   return power > 0 ? std::max(1.0, squares * area / (power * power)) : 1;
 }
 
+/// How many times as many walks those near lights shoot, beside which others start at cells: with
+/// as little power, as the noise of both is to cost alike.
+double timesAtLights(double reflected, const WalkPlan& plan)
+{
+  constexpr double kLeast = 0.25;
+  constexpr std::uint32_t kMost = std::uint32_t{ 1 } << 28; // walks have numbers of 32 bits
+  return plan.most() < kMost ? 1 / std::clamp(reflected, kLeast, 1.0) : 1;
+}
+
+/// Parts a source by how its lights are best known. `atLights`: see deal().
+std::vector<WalkSource> partsOf(const WalkSource& source, const LightSurvey::Group& group,
+  double atLights, const FewestSamples& fewestSamples)
+{
+  std::vector<WalkSource> parts;
+  for (const Known part : { Known::Dim, Known::Shot })
+  {
+    WalkSource some{ group.lightsOf(source, part), source.plan };
+    some.areFoundByRays = part == Known::Dim;
+    some.areNear = part == Known::Shot && !group.areHardToFind;
+    if (group.lamps && group.lamps->lights() == some.lights)
+    {
+      some.lamps = group.lamps;
+    }
+    if (!some.lights.isEmpty())
+    {
+      parts.push_back(std::move(some));
+    }
+  }
+  if (parts.empty() || group.isGathered())
+  {
+    WalkSource gathered{ group.lightsOf(source, Known::Gathered), source.plan, kStaticPart };
+    gathered.lamps = group.lamps;
+    gathered.walksPerSample = group.walksPerSample;
+    gathered.fewest = fewestSamples.atVariance(group.variance);
+    parts.push_back(std::move(gathered));
+  }
+  if (parts.size() > 1 || !parts.front().cells)
+  {
+    deal(parts, source.plan, atLights);
+  }
+  return parts;
+}
+
 }
 
 double LightSurvey::powerOfStart(double reflected)
@@ -188,14 +232,11 @@ double LightSurvey::gatheringCost() const
 
 bool FrameLights::areOf(const SceneObjects& objects, const WalkPlan& plan) const
 {
-  const auto haveMoved = [&] {
-    const std::vector<bool> moved = findMoved(objects, objects_);
-    return std::find(moved.begin(), moved.end(), true) != moved.end();
-  };
   // A wall that a point light touches may move.
   const auto mayTouchWalls = [](const WalkSource& source) { return source.lights.mayTouchWalls(); };
   return !sources_.empty() && plan == plan_ && areLightsUnchanged(objects, objects_) &&
-    !(std::any_of(sources_.begin(), sources_.end(), mayTouchWalls) && haveMoved());
+    !(std::any_of(sources_.begin(), sources_.end(), mayTouchWalls) &&
+      hasMotion(findMoved(objects, objects_)));
 }
 
 const std::vector<WalkSource>& FrameLights::sources(const SceneObjects& objects,
@@ -221,54 +262,6 @@ const LightSurvey& FrameLights::survey(const SceneObjects& objects, const WalkPl
     survey_.emplace(objects, found);
   }
   return *survey_;
-}
-
-namespace
-{
-
-/// How many times as many walks those near lights shoot, beside which others start at cells: with
-/// as little power, as the noise of both is to cost alike.
-double timesAtLights(double reflected, const WalkPlan& plan)
-{
-  constexpr double kLeast = 0.25;
-  constexpr std::uint32_t kMost = std::uint32_t{ 1 } << 28; // walks have numbers of 32 bits
-  return plan.most() < kMost ? 1 / std::clamp(reflected, kLeast, 1.0) : 1;
-}
-
-/// Parts a source by how its lights are best known. `atLights`: see deal().
-std::vector<WalkSource> partsOf(const WalkSource& source, const LightSurvey::Group& group,
-  double atLights, const FewestSamples& fewestSamples)
-{
-  std::vector<WalkSource> parts;
-  for (const Known part : { Known::Dim, Known::Shot })
-  {
-    WalkSource some{ group.lightsOf(source, part), source.plan };
-    some.areFoundByRays = part == Known::Dim;
-    some.areNear = part == Known::Shot && !group.areHardToFind;
-    if (group.lamps && group.lamps->lights() == some.lights)
-    {
-      some.lamps = group.lamps;
-    }
-    if (!some.lights.isEmpty())
-    {
-      parts.push_back(std::move(some));
-    }
-  }
-  if (parts.empty() || group.isGathered())
-  {
-    WalkSource gathered{ group.lightsOf(source, Known::Gathered), source.plan, kStaticPart };
-    gathered.lamps = group.lamps;
-    gathered.walksPerSample = group.walksPerSample;
-    gathered.fewest = fewestSamples.atVariance(group.variance);
-    parts.push_back(std::move(gathered));
-  }
-  if (parts.size() > 1 || !parts.front().cells)
-  {
-    deal(parts, source.plan, atLights);
-  }
-  return parts;
-}
-
 }
 
 std::vector<WalkSource> directSourcesOf(const SceneObjects& objects,

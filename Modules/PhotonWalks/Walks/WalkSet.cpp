@@ -3,12 +3,10 @@
 
 #include "Shooting/StoredRays.h"
 
-#include <algorithm>
 #include <iterator>
 #include <mutex>
 #include <numeric>
 #include <optional>
-#include <utility>
 
 namespace irradiance
 {
@@ -253,7 +251,7 @@ void WalkSet::followWalks(
   }
   TimeBudget* const budget = limit ? &*limit : nullptr;
   const double repairStart = steadySeconds();
-  shootBorn(tracer, budget, bearing);
+  unborn_ = repair.shootBorn(unborn_, budget, bearing);
   if (stale_)
   {
     repair.repair(*stale_, budget, rest);
@@ -357,27 +355,6 @@ void WalkSet::takeBack(const std::vector<std::uint32_t>& walks, const SceneTrian
   FrontTally tally(triangles, sums_, balance_, powerPerWalk(), old.size);
   tally.remove(old, starting);
   tally.unrelease(starting);
-}
-
-void WalkSet::shootBorn(const WalkTracer& tracer, TimeBudget* budget, Execution& execution)
-{
-  if (unborn_.empty())
-  {
-    return;
-  }
-  WalkBirths births({ tracer, history_, sums_, balance_, *batches_ });
-  const std::vector<std::uint32_t> shot = births.shoot(unborn_, budget, execution);
-  statistics_.repairedSegments += births.numberOfSegments();
-  if (settings_.listRepaired)
-  {
-    std::transform(shot.begin(), shot.end(), std::back_inserter(repaired_), [](std::uint32_t walk) {
-      return SegmentRef{ walk, 0 };
-    });
-  }
-  std::vector<std::uint32_t> left;
-  std::set_difference(
-    unborn_.begin(), unborn_.end(), shot.begin(), shot.end(), std::back_inserter(left));
-  unborn_ = std::move(left);
 }
 
 BounceScan WalkSet::scanOf(const std::vector<bool>& moved, const Frame& frame) const

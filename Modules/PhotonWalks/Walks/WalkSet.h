@@ -5,7 +5,6 @@
 #include "Execution/Execution.h"
 #include "History/WalkHistory.h"
 #include "Repair/StaleWalks.h"
-#include "Repair/WalkBirths.h"
 #include "Repair/WalkRepair.h"
 #include "Surfaces/Frame.h"
 #include "Tally/CellSums.h"
@@ -188,8 +187,6 @@ private:
   template <class Chosen>
   std::vector<std::uint32_t> walksOfBlocks(
     const Chosen& isChosen, const CancelPoint& cancelPoint) const;
-  /// Shoots walks that are to be born, as far as the budget goes; null: all.
-  void shootBorn(const WalkTracer& tracer, TimeBudget* budget, Execution& execution);
   /// The rest of follow(): what was gathered is up to date.
   void followWalks(const std::vector<bool>& moved, const Frame& frame, PhotonChanges* changes,
     Execution& execution);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Walks/WalkSets.h"
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -179,7 +178,7 @@ void WalkSets::sumOver(Ranks& ranks, Total& total, const CancelPoint& cancelPoin
   total.statistics.repairedSegments = counts[5];
   if (total.stale.isKept)
   {
-    ranks.sum(total.stale.power.quanta.data(), total.stale.power.quanta.size());
+    ranks.sum(total.stale.carried.quanta.data(), total.stale.carried.quanta.size());
     ranks.sum(total.stale.gain.quanta.data(), total.stale.gain.quanta.size());
     total.staleSums.sumOver(ranks, cancelPoint);
   }
@@ -195,8 +194,9 @@ WalkSets::StaleFigures WalkSets::staleOfSets() const
       all.isKept = true;
       all.isStale = all.isStale || set.hasStale();
       all.isBounded = all.isBounded && stale->isBoundKnown();
-      all.power += stale->power();
-      all.gain += stale->gainBound();
+      const StalePower power = stale->power();
+      all.carried += power.carried;
+      all.gain += power.gain;
     }
   }
   return all;
@@ -309,8 +309,8 @@ const CellSums* WalkSets::staleSums() const
 double WalkSets::staleGainBound(int band) const
 {
   const StaleFigures stale = staleFigures();
-  return stale.isBounded || stale.power[band] == 0 ? static_cast<double>(stale.gain[band])
-                                                   : std::numeric_limits<double>::infinity();
+  return stale.isBounded || stale.carried[band] == 0 ? static_cast<double>(stale.gain[band])
+                                                     : std::numeric_limits<double>::infinity();
 }
 
 WalkStatistics WalkSets::statisticsOfSets() const

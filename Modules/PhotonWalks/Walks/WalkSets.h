@@ -100,7 +100,7 @@ public:
   const CellSums* staleSums() const;
   /// The power that the first stale segments carry, and a bound of what their new tails bring;
   /// quanta.
-  Power stalePower() const { return staleFigures().power; }
+  Power stalePower() const { return staleFigures().carried; }
   /// Infinite where no bound is known.
   double staleGainBound(int band) const;
 
@@ -109,12 +109,11 @@ public:
 
 private:
   /// What is stale in all sets.
-  struct StaleFigures
+  struct StaleFigures : StalePower
   {
     bool isKept = false; ///< there are sums of what is stale
     bool isStale = false;
     bool isBounded = true;
-    Power power, gain; ///< see StaleWalks
   };
   struct Total
   {

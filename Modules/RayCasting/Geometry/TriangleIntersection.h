@@ -4,8 +4,6 @@
 
 #include "Geometry/Triangle.h"
 
-#include <algorithm>
-
 namespace irradiance
 {
 

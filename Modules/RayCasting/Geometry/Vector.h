@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include <cmath>
 #include <limits>
 
 namespace irradiance

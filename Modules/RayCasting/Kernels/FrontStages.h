@@ -5,6 +5,7 @@
 #include "Geometry/TriangleIntersection.h"
 #include "Kernels/BodyBalls.h"
 #include "Kernels/PrepareLanes.h"
+#include "Simd/SimdLevel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -98,11 +99,14 @@ struct FrontStages
   void (*intersect)(IntersectionLanes& lanes);
 };
 
-/// By the best instructions of the machine.
-const FrontStages& frontStages();
 const FrontStages& frontStagesPlain();
 const FrontStages& frontStagesAvx2();
 const FrontStages& frontStagesAvx512();
+/// By the best instructions of the machine.
+inline const FrontStages& frontStages()
+{
+  return IRRADIANCE_CALL_BEST(frontStages, );
+}
 
 /// Tests so many rays with a triangle each, eight at a time, and keeps the closer hits. set(i,
 /// lanes, lane) sets a lane to the i-th test, and returns its ray and the triangle's number.

@@ -2,7 +2,6 @@
 #include "Meshes/FlatPolygon.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>

@@ -2,6 +2,7 @@
 #ifndef irradiance_InputError_h
 #define irradiance_InputError_h
 
+#include <locale>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -16,22 +17,32 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// For checks that are rare: the message is made in any case.
-inline void throwIf(bool isWrong, const std::string& message)
+/// Parts of a message, one after the other; numbers with enough digits that 1.000000001 does not look
+/// like 1.
+template <class... Parts>
+std::string joined(const Parts&... parts)
+{
+  std::ostringstream stream;
+  stream.imbue(std::locale::classic());
+  stream.precision(10);
+  (stream << ... << parts);
+  return stream.str();
+}
+
+/// The message is made of the parts only if something is wrong.
+template <class... Parts>
+void throwIf(bool isWrong, const Parts&... parts)
 {
   if (isWrong)
   {
-    throw InputError(message);
+    throw InputError(joined(parts...));
   }
 }
 
-/// A value as a message shows it, with enough digits that 1.000000001 does not look like 1.
+/// A value as a message shows it.
 inline std::string text(double value)
 {
-  std::ostringstream stream;
-  stream.precision(10);
-  stream << value;
-  return stream.str();
+  return joined(value);
 }
 
 }

@@ -32,11 +32,6 @@ public:
   /// At least one, which has no meaning if there are no triangles.
   const SurfaceRecord* rows() const { return rows_.data(); }
   const SurfaceRecord& operator[](std::uint32_t number) const { return rows_[number]; }
-  /// Of its memory.
-  std::size_t bytes() const
-  {
-    return rows_.capacity() * sizeof(SurfaceRecord) + origins_.capacity() * sizeof(Origin);
-  }
 
 private:
   /// What the records of an object were made of.

@@ -28,77 +28,59 @@ public:
   /// Places behind the room, so that whole vectors may be read and written.
   static constexpr std::size_t kRoomBehind = 32;
 
-  Column() = default;
-  Column(Column&& other) noexcept
-    : memory_(std::move(other.memory_))
-    , values_(std::exchange(other.values_, nullptr))
-    , room_(std::exchange(other.room_, 0))
-  {
-  }
-  Column& operator=(Column&& other) noexcept
-  {
-    memory_ = std::move(other.memory_);
-    values_ = std::exchange(other.values_, nullptr);
-    room_ = std::exchange(other.room_, 0);
-    return *this;
-  }
-
   /// Makes room for that many values; what it holds is lost if it grows.
   void need(std::size_t count)
   {
-    if (count > room_)
+    if (count > room())
     {
-      room_ = 0;
-      memory_.reset(); // first, so that there are never two
+      values_.reset(); // first, so that there are never two
       take(count);
     }
   }
+
   /// Makes room, and keeps the values there are.
   void reserve(std::size_t count)
   {
-    if (count > room_)
+    if (const std::size_t kept = room(); count > kept)
     {
-      const Value* const before = values_;
-      const std::size_t kept = room_;
-      const Memory old = std::move(memory_);
+      const auto old = std::move(values_);
       take(count);
       if (kept > 0)
       {
-        std::memcpy(values_, before, kept * sizeof(Value));
+        std::memcpy(data(), old.get(), kept * sizeof(Value));
       }
     }
   }
-  std::size_t room() const { return room_; }
-  Value* data() { return values_; }
-  const Value* data() const { return values_; }
-  Value& operator[](std::size_t i) { return values_[i]; }
-  const Value& operator[](std::size_t i) const { return values_[i]; }
+
+  std::size_t room() const { return values_ ? values_.get_deleter().room : 0; }
+  Value* data() { return values_.get(); }
+  const Value* data() const { return values_.get(); }
+  Value& operator[](std::size_t i) { return data()[i]; }
+  const Value& operator[](std::size_t i) const { return data()[i]; }
 
 private:
   static constexpr std::size_t kLine = 64, kPage = 4096;
-  struct Free
+  /// Behind whose beginning the values are.
+  struct Memory
   {
-    void operator()(std::byte* memory) const
-    {
-      ::operator delete (memory, std::align_val_t{ kLine });
-    }
+    std::byte* begin = nullptr;
+    std::size_t room = 0;
+
+    void operator()(Value*) const { ::operator delete (begin, std::align_val_t{ kLine }); }
   };
-  using Memory = std::unique_ptr<std::byte, Free>;
 
   void take(std::size_t count)
   {
     constexpr std::size_t kLinesApart = 5;
     static thread_local std::size_t shift = 0;
     const std::size_t bytes = kPage + (count + kRoomBehind) * sizeof(Value);
-    memory_.reset(static_cast<std::byte*>(::operator new (bytes, std::align_val_t{ kLine })));
+    const Memory memory{ static_cast<std::byte*>(::operator new (bytes, std::align_val_t{ kLine })),
+      count };
     shift = (shift + kLinesApart * kLine) % kPage;
-    values_ = reinterpret_cast<Value*>(memory_.get() + shift);
-    room_ = count;
+    values_ = { reinterpret_cast<Value*>(memory.begin + shift), memory };
   }
 
-  Memory memory_;
-  Value* values_ = nullptr;
-  std::size_t room_ = 0;
+  std::unique_ptr<Value, Memory> values_;
 };
 
 }

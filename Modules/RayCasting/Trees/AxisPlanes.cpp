@@ -85,15 +85,4 @@ bool AxisPlanes::hide(int axis, int side, float bound, const Box& whole) const
   return reach > 0 && reachBeyondBound < 0.5 * width;
 }
 
-std::size_t AxisPlanes::bytes() const
-{
-  std::size_t places = 0;
-  for (const std::vector<double>& some : places_)
-  {
-    places += some.capacity();
-  }
-  return places * sizeof(double) + planes_.capacity() * sizeof(AxisPlane) +
-    planeOf_.capacity() * sizeof(std::uint32_t);
-}
-
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trees/KdSplitSearch.h"
 
-#include <algorithm>
-
 namespace irradiance
 {
 

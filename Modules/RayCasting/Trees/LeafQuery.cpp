@@ -71,22 +71,6 @@ void visit(const TriangleTree& tree, std::uint32_t node, const UnitPoint& point,
   }
 }
 
-}
-
-std::uint32_t leafAt(const TriangleTree& tree, const UnitPoint& point)
-{
-  if ((tree.root() & Treelet::kLeaf) != 0)
-  {
-    return tree.root() & ~Treelet::kLeaf;
-  }
-  Nearest nearest;
-  visit(tree, tree.root(), point, nearest);
-  return nearest.leaf;
-}
-
-namespace
-{
-
 /// Calls visit(leaf, triangle) for all that leaves list.
 template <class Visit>
 void forEachInLeaves(const TriangleTree& tree, const Visit& visit)
@@ -111,6 +95,17 @@ float squaredDistance(const KdBounds& box, const UnitPoint& point)
   return squared;
 }
 
+}
+
+std::uint32_t leafAt(const TriangleTree& tree, const UnitPoint& point)
+{
+  if ((tree.root() & Treelet::kLeaf) != 0)
+  {
+    return tree.root() & ~Treelet::kLeaf;
+  }
+  Nearest nearest;
+  visit(tree, tree.root(), point, nearest);
+  return nearest.leaf;
 }
 
 LeafTable::LeafTable(const TriangleTree& tree)

@@ -346,12 +346,6 @@ void TriangleTree::renumber(const std::vector<std::uint32_t>& numbers)
   planes_.renumber(numbers);
 }
 
-std::size_t TriangleTree::bytes() const
-{
-  return treelets_.capacity() * sizeof(Treelet) + blocks_.capacity() * sizeof(TriangleBlock) +
-    planes_.bytes();
-}
-
 TriangleTree treeOf(const std::vector<Triangle>& triangles, const CancelPoint& cancelPoint)
 {
   return TriangleTree(triangles, {}, 1, cancelPoint);

@@ -124,7 +124,6 @@ public:
   const Treelet* treelets() const { return treelets_.data(); }
   const TriangleBlock* blocks() const { return blocks_.data(); }
   std::size_t numberOfBlocks() const { return blocks_.size(); }
-  std::size_t bytes() const;
 
 private:
   class Packing;

@@ -179,7 +179,7 @@ private:
         vertices.weight[k] = i < count ? weights_[i] : 0;
         vertices.reflected[k] = vertices.weight[k] * vertices.survival[k];
       }
-      countLamps(first, vertices, tally);
+      gatherer_.sky_ ? countSky(count - first, vertices, tally) : countLamps(first, vertices, tally);
       Numbers numbers;
       for (float* some :
         { numbers.u, numbers.v, numbers.place, numbers.choice, numbers.height, numbers.turn })
@@ -220,9 +220,30 @@ private:
     }
   }
 
+  /// Of those rays that are left, those that escape.
+  void countSky(std::size_t left, const Vertices& vertices, PlainGatherer::Tally& tally) const
+  {
+    const auto& [ray, hit] = packet_;
+    for (int k = 0; k < kWidth && static_cast<std::size_t>(k) < left; ++k)
+    {
+      if (hit.geomID[k] == RTC_INVALID_GEOMETRY_ID)
+      {
+        const float scale = 1 /
+          std::sqrt(ray.dir_x[k] * ray.dir_x[k] + ray.dir_y[k] * ray.dir_y[k] +
+            ray.dir_z[k] * ray.dir_z[k]);
+        tally.irradiance[vertices.cell[k]] += vertices.weight[k] * kPi *
+          gatherer_.sky_({ scale * ray.dir_x[k], scale * ray.dir_y[k], scale * ray.dir_z[k] });
+      }
+    }
+  }
+
   /// To a point of a lamp from each vertex.
   void castShadows(const Vertices& vertices, const Numbers& numbers, PlainGatherer::Tally& tally)
   {
+    if (gatherer_.sky_)
+    {
+      return;
+    }
     alignas(64) float watts[kWidth];
     alignas(64) int valid[kWidth];
     for (int k = 0; k < kWidth; ++k)
@@ -350,9 +371,10 @@ PlainGatherer::Tally gatherWide(const PlainGatherer& gatherer, std::uint32_t fir
 PlainGatherer::PlainGatherer(const PlainScene& scene)
   : embree_(scene)
   , sources_(makeSources(scene))
-  , choice_(fluxesOf(scene))
+  , choice_(scene.sky ? std::vector<double>{ 1 } : fluxesOf(scene))
   , totalFlux_(static_cast<float>(scene.totalFlux()))
   , offset_(scene.offset())
+  , sky_(scene.sky)
 {
   for (const PlainScene::Surface& surface : scene.surfaces)
   {

@@ -11,7 +11,8 @@
  * The other program that users write with Embree, a baker of light: paths start on cells and look
  * for the lights. At each vertex a lamp is drawn by its flux and a point on it by area, and a
  * shadow ray is cast to it; a path that hits a lamp by itself counts as well, and the two are
- * weighted by the power heuristic (Veach and Guibas 1995). Point lights get shadow rays alone.
+ * weighted by the power heuristic (Veach and Guibas 1995). Point lights get shadow rays alone. A
+ * sky has no shadow rays: it counts where paths escape.
  * Paths leave by the cosine and survive with probability = reflectance. Where a path starts, where
  * it leaves and its first point of a lamp are a point of Sobol's sequence, shifted for each cell;
  * all else is xorshift. Everything is in floats, some thousand paths go side by side, and nothing
@@ -63,6 +64,7 @@ private:
   AliasTable choice_; ///< of sources, by flux
   float totalFlux_;   ///< W
   float offset_;      ///< m, see PlainScene::offset()
+  float (*sky_)(const PlainScene::Vector&); ///< see PlainScene
 };
 
 #endif

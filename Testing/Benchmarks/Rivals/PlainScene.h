@@ -63,6 +63,9 @@ struct PlainScene
   std::vector<Surface> surfaces; ///< of each triangle
   std::vector<Light> lights;
   std::vector<PointLight> pointLights;
+  /// W/m2/sr from a direction of unit length, for the gatherer; null: none. Else there is no other
+  /// light.
+  float (*sky)(const Vector& direction) = nullptr;
   std::size_t numberOfCells = 0;
   float extent = 0; ///< m, the longest edge of the bounding box
 };
