@@ -356,7 +356,8 @@ private:
     }
     const std::vector<std::string> advice = this->Engine->hasLights()
       ? irradiance::sceneAdvice(inputs, this->Scene, *this->Engine, cancelPoint)
-      : std::vector<std::string>(1, irradiance::noLightWarning(this->Filter, inputs));
+      : std::vector<std::string>(
+          this->Scene.isUnderSky() ? 0 : 1, irradiance::noLightWarning(this->Filter, inputs));
     this->Scene.forgetNews();
     const std::vector<std::string> before = std::exchange(this->Advice, advice);
     for (const std::string& warning : advice)

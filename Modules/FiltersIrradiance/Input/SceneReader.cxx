@@ -200,6 +200,7 @@ void SceneReader::adoptSky(const std::vector<const InputPart*>& staticParts)
     }
   }
   std::shared_ptr<const Sky> sky;
+  isUnderSky_ = found != nullptr;
   if (found)
   {
     sky =

@@ -49,6 +49,8 @@ public:
   /// there.
   bool hasNews() const { return hasNews_; }
   void forgetNews() { hasNews_ = false; }
+  /// Whether there is a sky, or a sun, be it night.
+  bool isUnderSky() const { return isUnderSky_; }
 
 private:
   /// An input as it was when it was read. The polydata is held so that its address is not reused.
@@ -83,7 +85,7 @@ private:
   std::vector<std::optional<Stamp>> dynamicStamps_;
   SceneObjects objects_;
   InputWarnings warnings_;
-  bool hasNews_ = false;
+  bool hasNews_ = false, isUnderSky_ = false;
 };
 
 }
