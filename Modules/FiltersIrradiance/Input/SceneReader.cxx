@@ -99,8 +99,7 @@ int SceneReader::countBands(const SceneInputs& inputs)
   int bands = 1;
   for (const InputPart* part : allPartsOf(inputs))
   {
-    bands =
-      std::max({ bands, bandsOfLuminaires(part->polyData), bandsOfSky(part->polyData) });
+    bands = std::max({ bands, bandsOfLuminaires(part->polyData), bandsOfSky(part->polyData) });
     for (std::size_t i = 0; i < part->arrays.size(); ++i)
     {
       vtkAbstractArray* array = part->arrays[i];

@@ -49,7 +49,6 @@ public:
   /// it is wide. What reaches farther is found in a box beyond the plane as well.
   bool hide(int axis, int side, float bound, const Box& whole) const;
 
-
 private:
   static constexpr std::uint32_t kNone = 0xffffffffu;
 

@@ -57,8 +57,7 @@ Shot shootDefault(
   const double start = execution.seconds();
   settings = engine.chosen({ true, true }, objects, settings, execution);
   engine.update(objects, settings, execution);
-  return { execution.seconds() - start, engine.balance().segments,
-    irradianceOf(engine, objects) };
+  return { execution.seconds() - start, engine.balance().segments, irradianceOf(engine, objects) };
 }
 
 Shot shootDefault(const SceneObjects& objects, std::uint32_t walks, std::uint64_t seed)
@@ -199,7 +198,8 @@ float plainClear(const PlainScene::Vector& from)
     return 1 + 10 * (std::exp(-3 * std::acos(std::min(cosine, 1.f))) - 0.00898329f) +
       0.45f * cosine * cosine;
   };
-  static const float height = std::sqrt(0.75f), zenith = (1 - std::exp(-0.32f)) * indicatrix(height);
+  static const float height = std::sqrt(0.75f),
+                     zenith = (1 - std::exp(-0.32f)) * indicatrix(height);
   return (1 - std::exp(-0.32f / from[2])) * indicatrix(0.5f * from[1] + height * from[2]) / zenith;
 }
 
@@ -274,7 +274,8 @@ void compareDay(const Sizes& sizes)
     requireEqualAnswers(engine, fresh, objects);
     if (!(update.irradiance == start.irradiance).all())
     {
-      throw std::runtime_error("An update differs from a fresh start in step " + std::to_string(step));
+      throw std::runtime_error(
+        "An update differs from a fresh start in step " + std::to_string(step));
     }
     updates += update.seconds;
     starts += start.seconds;
