@@ -69,8 +69,8 @@ class Lamps(unittest.TestCase):
 
 class SunAndSky(unittest.TestCase):
     def test_a_free_plane(self):
-        sky = plugin.paraview.simple.SunSky(
-            SkyModel="Uniform", DirectNormalIrradiance=500, DiffuseHorizontalIrradiance=100, SunAltitude=30)
+        sky = plugin.paraview.simple.SunAndSky(
+            SkyModel="Uniform", DirectNormalIrradiance=500, DiffuseHorizontalIrradiance=100, SunAltitude=30, Ground=0)
         self.assertAlmostEqual(light_below(sky), 500 / 2 + 100, delta=2)
         sky.SkyModel, sky.DirectNormalIrradiance = "CIE Clear", 0
         self.assertAlmostEqual(light_below(sky), 100, delta=2)
@@ -79,8 +79,8 @@ class SunAndSky(unittest.TestCase):
         """Glass is left out. The bench casts a shadow, which goes from west to east."""
         weather = write("Day.csv", "time,DNI,DHI\n" + "".join(
             f"2024-06-21 {time},{direct},{diffuse}\n" for time, direct, diffuse in DAY))
-        sky = plugin.paraview.simple.SunSky(
-            SkyModel="Uniform", WeatherFileName=weather, Latitude=48.1, Longitude=11.6, TimeZone=1)
+        sky = plugin.paraview.simple.SunAndSky(
+            SkyModel="Uniform", WeatherFileName=weather, Latitude=48.1, Longitude=11.6, TimeZone=1, Ground=0)
         floor = Plane(Origin=[-6, -4, 0], Point1=[6, -4, 0], Point2=[-6, 4, 0], XResolution=48, YResolution=32)
         bench = Plane(Origin=[-1.5, -1, HEIGHT], Point1=[1.5, -1, HEIGHT], Point2=[-1.5, 1, HEIGHT])
         source = plugin.paraview.simple.Irradiance(
@@ -113,9 +113,10 @@ class SunAndSky(unittest.TestCase):
             self.assertAlmostEqual(on_floor[0], free, delta=0.05 * free)
             shadows.append(shadow[0])
 
-        observer = scene.SMProxy.AddObserver("AnimationCueTickEvent", look)
+        player = scene.SMProxy.GetClientSideObject()
+        observer = player.AddObserver("AnimationCueTickEvent", look)
         scene.Play()
-        scene.SMProxy.RemoveObserver(observer)
+        player.RemoveObserver(observer)
         self.assertEqual(played, [0, 3 * 3600, 6 * 3600, 10 * 3600, 16 * 3600])
         self.assertEqual(shadows, sorted(shadows))
         self.assertLess(shadows[0], -1)
