@@ -82,7 +82,7 @@ int idOf(const LuminaireFields& fields, vtkIdType cell)
 }
 
 /// Of an opening, whose faces are to be complete.
-void checkReach(const LuminaireFields& fields, const Luminaire& lamp, vtkIdType cell)
+void checkFaces(const LuminaireFields& fields, const Luminaire& lamp, vtkIdType cell)
 {
   constexpr std::size_t kMostFaces = 1024;
   failIf(lamp.faces.size() > kMostFaces, fields, cell, "its luminaire has faces that look into ",
@@ -204,7 +204,7 @@ void addLuminaires(const LuminaireFields& fields, std::size_t firstCell, std::si
     }
     if (checked.insert(area->first).second)
     {
-      checkReach(
+      checkFaces(
         fields, emission.luminaires[area->first], static_cast<vtkIdType>(cell - firstCell));
     }
   }
