@@ -61,7 +61,7 @@ double placeInStep(double start, double width, double from, double growth, doubl
     const double next = place - excess / slope;
     const double before =
       std::exchange(place, next > lower && next < upper ? next : (lower + upper) / 2);
-    if (std::abs(place - before) <= 0x1p-26 * width) // the next step is about the square of it
+    if (std::abs(place - before) <= 0x1p-16 * width) // the next step is about the square of it
     {
       break;
     }
