@@ -46,8 +46,8 @@ double placeInStep(double start, double width, double from, double growth, doubl
 {
   const SinCos first(start / (2 * kPi)), last((start + width) / (2 * kPi));
   const double to = from + growth * width;
-  const double whole = from * (first.cosine - last.cosine) +
-    growth * (last.sine - first.sine - width * last.cosine);
+  const double whole =
+    from * (first.cosine - last.cosine) + growth * (last.sine - first.sine - width * last.cosine);
   double lower = 0, upper = width,
          place = width * sampleLinear(part, from * first.sine, std::max(0.0, to * last.sine));
   constexpr int kMostSteps = 64;

@@ -179,7 +179,8 @@ private:
         vertices.weight[k] = i < count ? weights_[i] : 0;
         vertices.reflected[k] = vertices.weight[k] * vertices.survival[k];
       }
-      gatherer_.sky_ ? countSky(count - first, vertices, tally) : countLamps(first, vertices, tally);
+      gatherer_.sky_ ? countSky(count - first, vertices, tally)
+                     : countLamps(first, vertices, tally);
       Numbers numbers;
       for (float* some :
         { numbers.u, numbers.v, numbers.place, numbers.choice, numbers.height, numbers.turn })

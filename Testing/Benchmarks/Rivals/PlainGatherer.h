@@ -61,9 +61,9 @@ private:
   std::vector<Piece> pieces_;     ///< by cell
   std::vector<Cell> cells_;
   std::vector<PlainSource> sources_;
-  AliasTable choice_; ///< of sources, by flux
-  float totalFlux_;   ///< W
-  float offset_;      ///< m, see PlainScene::offset()
+  AliasTable choice_;                       ///< of sources, by flux
+  float totalFlux_;                         ///< W
+  float offset_;                            ///< m, see PlainScene::offset()
   float (*sky_)(const PlainScene::Vector&); ///< see PlainScene
 };
 

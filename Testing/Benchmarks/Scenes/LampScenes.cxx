@@ -24,9 +24,9 @@ double lopsidedIntensity(double polar, double azimuth)
   const auto lobe = [&](const Vector3& axis, double exponent) {
     return std::pow(std::max(0.0, direction.dot(axis.normalized())), exponent);
   };
-  return polar >= M_PI / 2 ? 0
-                           : direction.z() *
-      (0.2 + lobe({ 0.7, 0.2, 1 }, 8) + 0.6 * lobe({ -0.4, 0.5, 1 }, 4));
+  return polar >= M_PI / 2
+    ? 0
+    : direction.z() * (0.2 + lobe({ 0.7, 0.2, 1 }, 8) + 0.6 * lobe({ -0.4, 0.5, 1 }, 4));
 }
 
 /// It shines down. The polar angles are from 0 to `last` degrees.
@@ -58,8 +58,7 @@ void addPanel(test::ObjectBuilder& room, const Vector3& corner, double x, double
 /// Around everything.
 Box litBox(const Box& bounds)
 {
-  return test::box(
-    bounds.lower - Vector3(0.1, 0.1, 0.1), bounds.upper + Vector3(0.1, 0.1, 0.1));
+  return test::box(bounds.lower - Vector3(0.1, 0.1, 0.1), bounds.upper + Vector3(0.1, 0.1, 0.1));
 }
 
 /// North is +y, the sun rises at 6 and is 45 degrees high at noon.
@@ -142,7 +141,9 @@ SceneObjects makeStreet(Sky sky)
 {
   constexpr int kColumns = 71, kRows = 20;
   constexpr double kCell = 2;
-  const auto isBuilt = [](int i, int j) { return i % 7 >= 2 && ((j >= 3 && j < 7) || (j >= 13 && j < 17)); };
+  const auto isBuilt = [](int i, int j) {
+    return i % 7 >= 2 && ((j >= 3 && j < 7) || (j >= 13 && j < 17));
+  };
   test::ObjectBuilder street;
   for (int j = 0; j < kRows; ++j)
   {
@@ -150,8 +151,8 @@ SceneObjects makeStreet(Sky sky)
     {
       if (!isBuilt(i, j))
       {
-        street.addQuad({ i * kCell, j * kCell, 0 }, { kCell, 0, 0 }, { 0, kCell, 0 }, 1, 1,
-          test::grey(0.2));
+        street.addQuad(
+          { i * kCell, j * kCell, 0 }, { kCell, 0, 0 }, { 0, kCell, 0 }, 1, 1, test::grey(0.2));
       }
     }
   }
