@@ -5,7 +5,7 @@
 #
 #   run.sh [--quick] [performance | accuracy]
 #
-#   performance   Performance.md alone; twenty minutes
+#   performance   Performance.md alone; half an hour
 #   accuracy      SpeedAndAccuracy.md alone; three quarters of an hour
 #   --quick       few rays, walks and rounds, to see that all runs; the pages go to the results' folder
 set -euo pipefail
@@ -102,11 +102,12 @@ if [[ $part != accuracy ]]; then
   measure BenchmarkShooting "" "20000 2"
   measure BenchmarkGathering "" "20000 2 16 64"
   measure BenchmarkSensors "" "20000 2 200 64 1"
+  measure BenchmarkLamps "" "20000 2 4 16 64"
   measure BenchmarkRanks "" "20000 2"
   measure BenchmarkPhotonStores "" "20000 2 1000"
   measure BenchmarkPython "" "2 20"
   measure BenchmarkParaView "" "20000 3"
-  write_page Performance Benchmark{RayCasting,Shooting,Gathering,Sensors,MovingTeapot,Ranks,PhotonStores,Python,ParaView}.csv
+  write_page Performance Benchmark{RayCasting,Shooting,Gathering,Sensors,Lamps,MovingTeapot,Ranks,PhotonStores,Python,ParaView}.csv
 fi
 if [[ $part != performance ]]; then
   measure BenchmarkMethods "15 $documentation/pictures/DirectLight.png $documentation/pictures/CellsInTheSameTime.png" "2"

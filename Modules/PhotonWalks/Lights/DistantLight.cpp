@@ -2,6 +2,7 @@
 #include "Lights/DistantLight.h"
 
 #include "Sampling/DirectionSampling.h"
+#include "Sampling/ElementaryFunctions.h"
 #include "Sampling/SobolPoint.h"
 
 #include <algorithm>
@@ -187,10 +188,12 @@ DistantLight::Sample DistantLight::sample(const Part& part, const std::array<dou
   const double height = part.upper - u[0] * (part.upper - part.lower),
                radius = std::sqrt(std::max(0.0, 1 - height * height)),
                azimuth = part.first + u[1] * (part.last - part.first);
-  const Vector3 local(radius * std::cos(azimuth), radius * std::sin(azimuth), height);
+  const SinCos around(azimuth / (2 * kPi));
+  const Vector3 local(radius * around.cosine, radius * around.sine, height);
   const Vector3 direction = swapped(local);
   return { direction, part.solidAngle(),
-    table_->value(local) / table_->integral() * part.solidAngle() / crossSection(direction) };
+    table_->valueAt(arcTangent(radius, height), azimuth, 1) / table_->integral() *
+      part.solidAngle() / crossSection(direction) };
 }
 
 double DistantLight::crossSection(const Vector3& direction) const

@@ -34,18 +34,22 @@ void checkEach(const std::vector<double>& numbers, const char* what, const IsRig
 /// grows by each radian. About the middle, where little cancels.
 double overStep(double start, double width, double from, double growth)
 {
-  const double half = width / 2, middle = start + half, sine = std::sin(half);
-  return 2 * (from + growth * half) * std::sin(middle) * sine +
-    2 * growth * std::cos(middle) * (sine - half * std::cos(half));
+  const double half = width / 2;
+  const SinCos middle((start + half) / (2 * kPi)), ofHalf(half / (2 * kPi));
+  return 2 * (from + growth * half) * middle.sine * ofHalf.sine +
+    2 * growth * middle.cosine * (ofHalf.sine - half * ofHalf.cosine);
 }
 
 /// Where in a step the integral is a part of that over the whole step. Newton's method within
-/// bounds.
+/// bounds, from where it would be if the sine were linear as well.
 double placeInStep(double start, double width, double from, double growth, double part)
 {
-  const SinCos first(start / (2 * kPi));
-  const double whole = overStep(start, width, from, growth);
-  double lower = 0, upper = width, place = part * width;
+  const SinCos first(start / (2 * kPi)), last((start + width) / (2 * kPi));
+  const double to = from + growth * width;
+  const double whole =
+    from * (first.cosine - last.cosine) + growth * (last.sine - first.sine - width * last.cosine);
+  double lower = 0, upper = width,
+         place = width * sampleLinear(part, from * first.sine, std::max(0.0, to * last.sine));
   constexpr int kMostSteps = 64;
   for (int i = 0; i < kMostSteps; ++i)
   {
@@ -57,12 +61,32 @@ double placeInStep(double start, double width, double from, double growth, doubl
     const double next = place - excess / slope;
     const double before =
       std::exchange(place, next > lower && next < upper ? next : (lower + upper) / 2);
-    if (std::abs(place - before) <= 0x1p-40 * width)
+    if (std::abs(place - before) <= 0x1p-16 * width) // the next step is about the square of it
     {
       break;
     }
   }
   return place;
+}
+
+/// The step of increasing angles on which an angle falls, the later one at a border. A guess, which
+/// is right of even steps, and from there step by step.
+std::size_t stepOf(const std::vector<double>& angles, double angle)
+{
+  const std::size_t last = angles.size() - 2;
+  const double whole = angles.back() - angles.front();
+  const double guess =
+    whole > 0 ? (angle - angles.front()) / whole * static_cast<double>(last + 1) : 0;
+  auto step = static_cast<std::size_t>(std::clamp(guess, 0.0, static_cast<double>(last)));
+  while (step > 0 && angle < angles[step])
+  {
+    --step;
+  }
+  while (step < last && angle >= angles[step + 1])
+  {
+    ++step;
+  }
+  return step;
 }
 
 }
@@ -124,8 +148,10 @@ Vector3 DirectionTable::direction(double polar, double azimuth) const
 
 double DirectionTable::value(const Vector3& direction) const
 {
-  return valueAt(std::atan2(std::hypot(direction[0], direction[1]), direction[2]),
-    isRound() ? 0 : std::atan2(direction[1], direction[0]), 1);
+  const double polar =
+    arcTangent(std::sqrt(direction[0] * direction[0] + direction[1] * direction[1]), direction[2]);
+  const double azimuth = isRound() ? 0 : arcTangent(std::abs(direction[1]), direction[0]);
+  return valueAt(polar, std::copysign(azimuth, direction[1]), 1);
 }
 
 double DirectionTable::valueAt(double polar, double azimuth, int side) const
@@ -134,10 +160,11 @@ double DirectionTable::valueAt(double polar, double azimuth, int side) const
   {
     return 0;
   }
-  const auto first = polar_.begin() + 1, last = polar_.end() - 1;
-  const auto above =
-    side > 0 ? std::upper_bound(first, last, polar) : std::lower_bound(first, last, polar);
-  const auto angle = static_cast<std::size_t>(above - polar_.begin()) - 1;
+  std::size_t angle = stepOf(polar_, polar);
+  while (side < 0 && angle > 0 && polar <= polar_[angle])
+  {
+    --angle;
+  }
   const double width = polar_[angle + 1] - polar_[angle];
   const double part = width > 0 ? (polar - polar_[angle]) / width : 0;
   const auto ofPlane = [&](std::size_t plane) {
@@ -153,8 +180,7 @@ double DirectionTable::valueAt(double polar, double azimuth, int side) const
   {
     return 0;
   }
-  const auto beyond = std::upper_bound(azimuths_.begin() + 1, azimuths_.end() - 1, around);
-  const auto plane = static_cast<std::size_t>(beyond - azimuths_.begin()) - 1;
+  const std::size_t plane = stepOf(azimuths_, around);
   return between(ofPlane(plane), ofPlane(plane + 1),
     (around - azimuths_[plane]) / (azimuths_[plane + 1] - azimuths_[plane]));
 }
