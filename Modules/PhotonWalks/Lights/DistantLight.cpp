@@ -23,8 +23,9 @@ Vector3 swapped(const Vector3& direction)
 /// Degrees in steps of at most `widest`, with those that are given, and quarters of a turn between.
 std::vector<double> refined(std::vector<double> angles, double widest)
 {
-  for (double quarter = -630; quarter <= 630; quarter += 90)
+  for (int number = -7; number <= 7; ++number)
   {
+    const double quarter = 90.0 * number;
     const auto place = std::lower_bound(angles.begin(), angles.end(), quarter);
     if (place != angles.begin() && place != angles.end() && *place != quarter)
     {
@@ -34,11 +35,11 @@ std::vector<double> refined(std::vector<double> angles, double widest)
   std::vector<double> fine;
   for (std::size_t i = 0; i + 1 < angles.size(); ++i)
   {
-    const double width = angles[i + 1] - angles[i],
-                 steps = std::max(1.0, std::ceil(width / widest));
-    for (double step = 0; step < steps; ++step)
+    const double width = angles[i + 1] - angles[i];
+    const int steps = std::max(1, static_cast<int>(std::ceil(width / widest)));
+    for (int step = 0; step < steps; ++step)
     {
-      fine.push_back(angles[i] + step / steps * width);
+      fine.push_back(angles[i] + step * width / steps);
     }
   }
   fine.push_back(angles.back());
@@ -85,7 +86,8 @@ DistantLight DistantLight::sunOf(const Sky& sky)
   constexpr int kAcross = 32, kAround = 256; // the box as it is seen has bends
   for (int i = 0; i < kAcross * kAround; ++i)
   {
-    const double across = (i / kAround + 0.5) / kAcross, around = (i % kAround + 0.5) / kAround;
+    const int row = i / kAround;
+    const double across = (row + 0.5) / kAcross, around = (i % kAround + 0.5) / kAround;
     sun.meanCrossSection_ += sun.crossSection(sun.inDisc({ across, around })) / (kAcross * kAround);
   }
   const Part disc{ 1, sun.cosine_, 0, 2 * kPi, sun.axis_, sky.sunRadius, 1 };
@@ -105,9 +107,9 @@ std::vector<DistantLight::Part> DistantLight::partsOfSky() const
   {
     const double upper = std::cos(row * kHeight),
                  lower = 2 * row + 2 == kRows ? 0 : std::cos((row + 1) * kHeight);
-    const double columns =
-      std::max(4.0, std::round(2 * kPi * (upper - lower) / (kHeight * kHeight)));
-    for (double column = 0; column < columns; ++column)
+    const int columns =
+      std::max(4, static_cast<int>(std::round(2 * kPi * (upper - lower) / (kHeight * kHeight))));
+    for (int column = 0; column < columns; ++column)
     {
       Part part{ upper, lower, 2 * kPi * column / columns, 2 * kPi * (column + 1) / columns,
         Vector3::Zero(), 0, 0 };
@@ -168,7 +170,7 @@ Vector3 DistantLight::sampleDisc(std::array<double, 2> u) const
   constexpr int kMostTries = 64;
   for (int i = 0; i < kMostTries; ++i)
   {
-    const Vector3 direction = inDisc(u);
+    Vector3 direction = inDisc(u);
     if (otherSquare(u)[0] * most <= crossSection(direction))
     {
       return direction;

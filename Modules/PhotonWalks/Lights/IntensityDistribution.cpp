@@ -90,7 +90,7 @@ Vector3 IntensityDistribution::sample(
   constexpr int kMostTries = 1 << 16; // beyond any lamp: a face with less light has no share
   for (int i = 0; i < kMostTries; ++i)
   {
-    const Vector3 direction = sample(u);
+    Vector3 direction = sample(u);
     const double ofFace = face.area * normal.dot(direction);
     if (ofFace > 0)
     {

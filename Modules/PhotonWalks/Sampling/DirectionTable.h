@@ -75,22 +75,23 @@ template <class Visit>
 void DirectionTable::forEachPart(const Visit& visit) const
 {
   constexpr double kWidest = kPi / 180;
-  const auto partsOf = [](double width) { return std::ceil(width / kWidest); };
+  const auto partsOf = [](double width) { return static_cast<int>(std::ceil(width / kWidest)); };
   const std::size_t steps = isRound() ? 1 : azimuths_.size() - 1;
   for (std::size_t step = 0; step < steps; ++step)
   {
     const std::size_t next = isRound() ? step : step + 1;
     const double turn = isRound() ? 2 * kPi : azimuths_[next] - azimuths_[step];
-    const double turns = partsOf(turn);
+    const int turns = partsOf(turn);
     for (std::size_t angle = 0; angle + 1 < polar_.size(); ++angle)
     {
-      const double rise = polar_[angle + 1] - polar_[angle], rises = partsOf(rise);
+      const double rise = polar_[angle + 1] - polar_[angle];
+      const int rises = partsOf(rise);
       const double largest =
         std::max({ at(step, angle), at(step, angle + 1), at(next, angle), at(next, angle + 1) });
-      for (double i = 0; largest > 0 && i < turns * rises; ++i)
+      for (int i = 0; largest > 0 && i < turns * rises; ++i)
       {
-        const double up = (std::floor(i / turns) + 0.5) / rises,
-                     along = (std::fmod(i, turns) + 0.5) / turns;
+        const int row = i / turns;
+        const double up = (row + 0.5) / rises, along = (i % turns + 0.5) / turns;
         const double polar = polar_[angle] + up * rise;
         const double value = between(between(at(step, angle), at(step, angle + 1), up),
           between(at(next, angle), at(next, angle + 1), up), along);
