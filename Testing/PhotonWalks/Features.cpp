@@ -137,7 +137,7 @@ std::function<Film()> outdoors(const EngineSettings& settings, int bands, double
     yard.addBox(box({ -2, -1, 0 }, { -1, 1, 1.5 }), 2, grey(0.6));
     addPanel(yard, { -1, -0.25, 1.25 }, 0.5, 0.5, 8);
     Sky sky = skyOf(box({ -2.5, -2.5, -0.25 }, { 2.5, 2.5, 2 }), cieSky(12, 120), 0.3, bands);
-    sky.towardsSun = towards(30, 120);
+    sky.towardsSun = skyDirection(30, 120);
     sky.sunIrradiance = { 5, 4, 3 };
     sky.sunIrradiance.resize(static_cast<std::size_t>(bands));
     sky.bandWeights.back() = 0.5;

@@ -15,7 +15,7 @@ namespace irradiance::test
 using RadianceOf = std::function<double(const Vector3& towards)>;
 
 /// Degrees from the zenith, and from north (+y) over east.
-inline Vector3 towards(double polar, double azimuth)
+inline Vector3 skyDirection(double polar, double azimuth)
 {
   const double z = polar * M_PI / 180, a = azimuth * M_PI / 180;
   return { std::sin(z) * std::sin(a), std::sin(z) * std::cos(a), std::cos(z) };
@@ -44,7 +44,7 @@ inline RadianceOf cieSky(int type, double sunAzimuth = 0)
     : type == 5                  ? Parameters{ 0, -1, 0, -1, 0 }
     : type == 12                 ? Parameters{ -1, -0.32, 10, -3, 0.45 }
                                  : Parameters{ -1, -0.32, 16, -3, 0.3 }; // 13
-  const Vector3 sun = towards(30, sunAzimuth);
+  const Vector3 sun = skyDirection(30, sunAzimuth);
   const auto gradation = [p](double height) {
     return 1 + (height > 0 ? p.a * std::exp(p.b / height) : 0);
   };
@@ -80,7 +80,8 @@ inline Sky skyOf(const Box& lit, const RadianceOf& radiance, double ground = 0, 
     sky.azimuths.push_back(2.5 * i);
     for (std::size_t k = 0; k < sky.polarAngles.size(); ++k)
     {
-      sky.radiance.push_back(k <= 36 ? radiance(towards(sky.polarAngles[k], 2.5 * i)) : ground);
+      sky.radiance.push_back(
+        k <= 36 ? radiance(skyDirection(sky.polarAngles[k], 2.5 * i)) : ground);
     }
   }
   return sky;
@@ -107,7 +108,7 @@ double overDirections(const Function& function, int n = 720, bool isAbove = fals
     const double weight = std::sin((i + 0.5) * M_PI / n) * std::pow(M_PI / n, 2);
     for (int k = 0; k < 2 * n; ++k)
     {
-      sum += weight * function(towards((i + 0.5) * 180 / n, (k + 0.5) * 180 / n));
+      sum += weight * function(skyDirection((i + 0.5) * 180 / n, (k + 0.5) * 180 / n));
     }
   }
   return sum;

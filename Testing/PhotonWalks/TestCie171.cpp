@@ -206,11 +206,11 @@ TEST_P(Cie171, InternalReflectedComponent58)
 INSTANTIATE_TEST_SUITE_P(DirectLight, Cie171, testing::Bool(), nameOfMode);
 
 // 5.9 and 5.11: daylight through openings without glass, of CIE skies whose sun is 60 degrees high,
-// in a black room of 4 x 4 x 3 m. The values, in % of the horizontal irradiance, are exact ones of an
-// independent program. CIE's own tables are wrong in places: those of the roof of 4 x 4 m have at A
-// 37.84 (type 1), 46.74 (5), 66.34 (12) and 39.28 (16), and of type 13 at G 42.07 (47.01 is right);
-// type 3 of the small roof is in reverse order; of the facade of 4 x 3 m its walls are off by up to 6
-// %, the last place of its ceiling is 13.59, and its type 14 is not that sky.
+// in a black room of 4 x 4 x 3 m. The values, in % of the horizontal irradiance, are exact ones of
+// an independent program. CIE's own tables are wrong in places: for the roof of 4 x 4 m they have
+// at A 37.84 (type 1), 46.74 (5), 66.34 (12) and 39.28 (16), and of type 13 at G 42.07 in place of
+// 47.01; type 3 of the small roof is in reverse order; of the facade of 4 x 3 m the walls are off
+// by up to 6 %, the last place of the ceiling has 13.59, and the table of type 14 is that of 15.
 class Cie171Daylight : public testing::TestWithParam<bool>
 {
 protected:

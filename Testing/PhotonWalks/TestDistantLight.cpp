@@ -51,7 +51,7 @@ TEST(DistantLight, PartsHoldAllOfTheLight)
     { tableOf({ 90, 180 }, { 0, 360 }), all / 2 }, { tableOf({ 0, 11.6 }, { 0 }), 0 },
     { tableOf({ 22.3, 33.8 }, { 44.5, 90.3 }), 0 }, { tableOf({ 89, 90.2 }, { -30, 60 }), 0 },
     { tableOf({ 0, 40, 101 }, { -170, 13, 190 }), 0 },
-    { sunOnly(kLit, towards(40, 10), 500, 0.1), 2 * M_PI * (1 - std::cos(0.1)) } };
+    { sunOnly(kLit, skyDirection(40, 10), 500, 0.1), 2 * M_PI * (1 - std::cos(0.1)) } };
   for (const auto& one : cases)
   {
     const bool isSun = one.sky.radiance.empty();
@@ -90,7 +90,7 @@ TEST(DistantLight, ExtentIsWhatEntersTheBox)
       overDirections([&](const Vector3& d) { return radiance(d) * seenArea(d); }, 720, true);
     EXPECT_NEAR(DistantLight(skyOf(kLit, radiance)).extent(), truth, 1e-3 * truth);
   }
-  const Vector3 sun = towards(50, 200);
+  const Vector3 sun = skyDirection(50, 200);
   EXPECT_NEAR(DistantLight::sunOf(sunOnly(kLit, sun, 1)).extent(), seenArea(sun), 1e-9);
 }
 
@@ -137,7 +137,8 @@ TEST(DistantLight, EntersEvenlyOverTheBoxAsItIsSeen)
 {
   RandomVectors random(4);
   constexpr int kBins = 8;
-  for (const Vector3& sun : { towards(30, 20), towards(80, 250), towards(0, 0), towards(135, 100) })
+  for (const Vector3& sun :
+    { skyDirection(30, 20), skyDirection(80, 250), skyDirection(0, 0), skyDirection(135, 100) })
   {
     const DistantLight light = DistantLight::sunOf(sunOnly(kLit, sun, 1));
     std::vector<int> counts(3 * kBins * kBins);
@@ -203,7 +204,7 @@ TEST(DistantLight, SunIsADisc)
   RandomVectors random(6);
   for (const double radius : { 0.005, 5 * M_PI / 180 })
   {
-    const Vector3 sun = towards(60, 300);
+    const Vector3 sun = skyDirection(60, 300);
     const DistantLight light = DistantLight::sunOf(sunOnly(kLit, sun, 1, radius));
     const Vector3 across = sun.unitOrthogonal();
     ReplicateMean aside, square, area;

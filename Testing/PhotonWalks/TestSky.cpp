@@ -11,15 +11,15 @@ namespace
 {
 
 /// How light is known.
-struct Way
+struct SkyWay
 {
   const char* name;
   EngineSettings settings;
-  friend std::ostream& operator<<(std::ostream& out, const Way& way) { return out << way.name; }
+  friend std::ostream& operator<<(std::ostream& out, const SkyWay& way) { return out << way.name; }
 };
 
 /// With 16 replicates |t| > 4.1 happens by chance in .1 % of the comparisons; seeds are fixed.
-constexpr std::uint32_t kReplicates = 16;
+constexpr std::uint32_t kSkyReplicates = 16;
 constexpr double kMostT = 4.1;
 
 /// W/m2, with its standard error.
@@ -41,14 +41,14 @@ Told toldOf(const ReplicateMean& mean)
   return { mean.mean(), mean.standardError() };
 }
 
-class SkyLight : public testing::TestWithParam<Way>
+class SkyLight : public testing::TestWithParam<SkyWay>
 {
 protected:
   static EngineSettings settings()
   {
     EngineSettings settings = GetParam().settings;
     settings.separateSides = true;
-    settings.replicates = kReplicates;
+    settings.replicates = kSkyReplicates;
     return settings;
   }
 
@@ -81,7 +81,7 @@ SceneObjects under(const ObjectBuilder& builder, const RadianceOf& radiance, dou
 
 Vector3 tilted(double degrees)
 {
-  return towards(degrees, 0);
+  return skyDirection(degrees, 0);
 }
 
 /// 1 x 1 m, tilted to the north.
@@ -122,7 +122,7 @@ TEST_P(SkyLight, OfTheSun)
     for (const double tilt : { 0.0, 45.0, 90.0 })
     {
       const ObjectBuilder plane = tiltedPlane(tilt);
-      const Vector3 sun = towards(50, 60);
+      const Vector3 sun = skyDirection(50, 60);
       const auto sides = sidesOf(
         { plane.build(), {}, std::make_shared<Sky>(sunOnly(around(plane), sun, 700, radius)) });
       const double truth = 700 * sun.dot(tilted(tilt));
@@ -207,7 +207,7 @@ TEST_P(SkyLight, ThroughAHoleInTheRoof)
   }
   const RadianceOf clear = cieSky(12, 200);
   Sky sky = skyOf(around(room), clear);
-  sky.towardsSun = towards(30, 200);
+  sky.towardsSun = skyDirection(30, 200);
   sky.sunIrradiance = { 5 };
   sky.sunRadius = 0.01;
   const SceneObjects objects{ room.build(), {}, std::make_shared<Sky>(sky) };
@@ -245,19 +245,19 @@ TEST_P(SkyLight, ReflectedBetweenHouses)
   yard.addQuad({ -2, -2, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, 4, 4, grey(0.5));
   yard.addBox(box({ -2, -1, 0 }, { -1, 1, 1.5 }), 3, grey(0.6));
   Sky sky = skyOf(box({ -3, -3, -0.5 }, { 3, 3, 3 }), cieSky(12, 100), 0.3);
-  sky.towardsSun = towards(30, 100);
+  sky.towardsSun = skyDirection(30, 100);
   sky.sunIrradiance = { 6 };
   const SceneObjects objects{ yard.build(), { ball({ 0.5, 0, 0.6 }, 0.4, 4, grey(0.7)) },
     std::make_shared<Sky>(sky) };
   EngineSettings other = GetParam().settings;
   other.seed = 7;
-  other.replicates = kReplicates;
-  const UpdatedEngine shot(objects, Shoot(scaled(200000)).errors(kReplicates)),
+  other.replicates = kSkyReplicates;
+  const UpdatedEngine shot(objects, Shoot(scaled(200000)).errors(kSkyReplicates)),
     engine(objects, other);
   EXPECT_GE(expectAgreement(engine, shot), 50);
 }
 
-const Way kWays[] = { { "Walks", Shoot(scaled(1 << 18)) },
+const SkyWay kWays[] = { { "Walks", Shoot(scaled(1 << 18)) },
   { "GatheredLight", Shoot(scaled(1 << 16)).gathered() },
   { "FinalGather", Shoot(scaled(1 << 16)).finalGather(16).everywhere() } };
 
