@@ -70,7 +70,10 @@ LightSurvey::Group groupOf(
   group.variance = pilot.variance();
   std::tie(group.walksPerSample, group.cost) = pilot.best(
     hits.arrived() / source.lights.flux(), hits.returned(), LightSurvey::powerOfStart(reflected));
-  group.areHardToFind = group.cost >= 1;
+  // Of walks from infinity most meet the outside of a room into which little of the sky is seen.
+  const bool isAnyDistant = std::any_of(gathered.lights().begin(), gathered.lights().end(),
+    [](const Light& light) { return light.distant() != nullptr; });
+  group.areHardToFind = group.cost >= 1 && !isAnyDistant;
   if (group.areHardToFind)
   {
     std::replace(group.known.begin(), group.known.end(), Known::Gathered, Known::Shot);
