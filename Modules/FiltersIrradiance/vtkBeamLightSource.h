@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkBeamLightSource
- * @brief   spots, floodlights, LEDs and ring lights from the angles or the exponent of their beam
+ * @brief   spots and floodlights, LEDs and ring lights from the angles or the exponent of their beam
  *
  * For lamps of which no file is at hand. The beam is round, brightest in its middle, and has no
  * light beyond 90 degrees. At the angle t from its axis the intensity is, with BeamFrom

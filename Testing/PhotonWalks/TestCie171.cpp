@@ -220,7 +220,7 @@ protected:
   {
     Shoot shoot(100);
     shoot.gathered().bySide().unverified();
-    shoot.fewestSamples = { scaled(1 << 14), scaled(1 << 14), scaled(1 << 14) };
+    shoot.fewestSamples = { scaled(1 << 15), scaled(1 << 15), scaled(1 << 15) };
     return GetParam() ? shoot.finalGather(8).everywhere() : shoot;
   }
 
@@ -276,7 +276,8 @@ protected:
     for (std::size_t i = 0; i < published.size(); ++i)
     {
       const double told = 100 * engine.irradiance({ { 0, i }, 0 }, 0) / horizontal;
-      EXPECT_NEAR(told, published[i], 0.03 + kPart * published[i])
+      // A place below the ceiling has some 300 samples that see the ground: .07 is their noise.
+      EXPECT_NEAR(told, published[i], 0.15 + kPart * published[i])
         << what << " of type " << type << ", place " << i;
       all += told;
       allPublished += published[i];
