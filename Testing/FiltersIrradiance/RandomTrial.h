@@ -294,6 +294,10 @@ inline void Trial::UpdateAndCheck()
   this->DropFinalGather();
   this->KeepCellOfWalks();
   this->DropBudgetOfLook();
+  if (!this->Reports->Errors.empty())
+  {
+    this->Filter->Modified(); // else it keeps the empty output if nothing has changed since
+  }
   this->Reports->Clear();
   if (this->Given.Look.IsUsed() && Chance(this->Random, 4))
   {
@@ -306,8 +310,6 @@ inline void Trial::UpdateAndCheck()
     this->MakeFresh(1);
     ++this->Done.Mishaps;
     this->BringHome();
-    this->Filter
-      ->Modified(); // else the next operation, if it changes nothing, keeps the empty output
     this->MustCompare = true;
     return;
   }
