@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What lamps with a table of radiant intensity, a sky and a sun cost (Scenes/LampScenes.h), by what a
- * user gets who chooses nothing. CPU time of the one thread.
+ * What lamps with a table of radiant intensity, a sky and a sun cost (Scenes/LampScenes.h), by what
+ * a user gets who chooses nothing. CPU time of the one thread.
  *
  * - A first frame with a table, beside the same with a diffuse lamp of the same flux, at equal
  *   error: squared RMS error over the area, from all rounds, x time. The default must agree with
@@ -14,8 +14,8 @@
  * - A day with trackers: updates, as the sun moves and the modules turn, beside fresh starts with
  *   the same settings. All answers must have the same bits.
  *
- * Arguments: [walks = 1000000] [rounds = 6] [steps of the day = 96] [paths of a cell = 64] [those of
- * half the truth = 4096]
+ * Arguments: [walks = 1000000] [rounds = 6] [steps of the day = 96] [paths of a cell = 64] [those
+ * of half the truth = 4096]
  */
 #include "../../PhotonWalks/Skies.h"
 #include "Estimates/AutomaticChoice.h"
