@@ -64,10 +64,9 @@ void checkLit(const std::string& where, const SceneObjects& objects, const Scene
   if (objects.sky && !bounds.isEmpty())
   {
     both.add(objects.sky->lit);
-    throwIf(both.lower != objects.sky->lit.lower || both.upper != objects.sky->lit.upper,
-      where +
-        ": leaves the box that the sky lights; set SkyBounds (Bounds of vtkSunSkySource), so "
-        "that it holds all of the scene wherever it moves");
+    throwIf(both.lower != objects.sky->lit.lower || both.upper != objects.sky->lit.upper, where,
+      ": leaves the box that the sky lights; set SkyBounds (Bounds of vtkSunSkySource), so that it "
+      "holds all of the scene wherever it moves");
   }
 }
 
@@ -215,7 +214,7 @@ void SceneReader::adoptSky(const std::vector<const InputPart*>& staticParts)
 void SceneReader::readDynamic(
   const InputPart& part, std::size_t index, const CancelPoint& cancelPoint)
 {
-  throwIf(hasSky(part.polyData), part.name + ": has a sky, which belongs to input port 0");
+  throwIf(hasSky(part.polyData), part.name, ": has a sky, which belongs to input port 0");
   SceneObject& object = objects_.dynamicObjects[index];
   const bool wasPresent = std::exchange(object.isPresent, part.polyData->GetNumberOfCells() > 0);
   hasNews_ = hasNews_ || object.isPresent != wasPresent;

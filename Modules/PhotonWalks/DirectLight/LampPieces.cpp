@@ -45,6 +45,7 @@ LampPieces::LampPieces(LightTable lights)
   for (const LampPiece& piece : pieces_)
   {
     centers_.add(piece.center);
+    arePlain_ = arePlain_ && !piece.distribution && !piece.part;
   }
   order_.resize(pieces_.size());
   std::iota(order_.begin(), order_.end(), 0u);

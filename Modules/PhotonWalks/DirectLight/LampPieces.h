@@ -7,7 +7,6 @@
 #include "Sampling/WeightChoice.h"
 #include "Surfaces/Contacts.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -43,11 +42,7 @@ public:
   std::size_t size() const { return pieces_.size(); }
   const LampPiece& operator[](std::size_t piece) const { return pieces_[piece]; }
   /// Whether all shine diffusely, or to all sides alike, and from places.
-  bool arePlain() const
-  {
-    return std::none_of(pieces_.begin(), pieces_.end(),
-      [](const LampPiece& piece) { return piece.distribution || piece.part; });
-  }
+  bool arePlain() const { return arePlain_; }
   /// Of the centers.
   const Box& centers() const { return centers_; }
   /// The light of a triangle, if it is one of the table.
@@ -73,6 +68,7 @@ private:
 
   LightTable lights_;
   std::vector<LampPiece> pieces_;
+  bool arePlain_ = true;
   Box centers_;
   std::vector<std::uint32_t> areas_; ///< the lights on triangles, which a table has in order
   std::vector<Node> nodes_;

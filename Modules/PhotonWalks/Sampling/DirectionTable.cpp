@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
 namespace irradiance
@@ -25,8 +24,7 @@ void checkEach(const std::vector<double>& numbers, const char* what, const IsRig
 {
   for (std::size_t i = 0; i < numbers.size(); ++i)
   {
-    throwIf(
-      !isRight(i), std::string(what) + " number " + std::to_string(i) + " is " + text(numbers[i]));
+    throwIf(!isRight(i), what, " number ", i, " is ", numbers[i]);
   }
 }
 
@@ -97,8 +95,7 @@ DirectionTable::DirectionTable(
   , azimuths_(std::move(azimuths))
   , values_(std::move(values))
 {
-  throwIf(polar_.size() < 2,
-    "there are " + std::to_string(polar_.size()) + " polar angles; 2 or more are needed");
+  throwIf(polar_.size() < 2, "there are ", polar_.size(), " polar angles; 2 or more are needed");
   throwIf(azimuths_.empty(), "there are no azimuths");
   checkEach(polar_, "polar angle", [&](std::size_t i) {
     return polar_[i] >= (i == 0 ? 0 : polar_[i - 1]) && polar_[i] <= kTurn / 2;
@@ -107,10 +104,8 @@ DirectionTable::DirectionTable(
     return std::abs(azimuths_[i]) <= 2 * kTurn &&
       (i == 0 || (azimuths_[i] > azimuths_[i - 1] && azimuths_[i] <= azimuths_[0] + kTurn));
   });
-  throwIf(values_.size() != polar_.size() * azimuths_.size(),
-    "there are " + std::to_string(values_.size()) + " values for " +
-      std::to_string(azimuths_.size()) + " azimuths and " + std::to_string(polar_.size()) +
-      " polar angles");
+  throwIf(values_.size() != polar_.size() * azimuths_.size(), "there are ", values_.size(),
+    " values for ", azimuths_.size(), " azimuths and ", polar_.size(), " polar angles");
   constexpr double kMost = 1e30;
   checkEach(
     values_, "value", [&](std::size_t i) { return values_[i] >= 0 && values_[i] <= kMost; });
