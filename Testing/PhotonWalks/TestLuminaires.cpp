@@ -88,7 +88,7 @@ double expectLight(const IrradianceEngine& engine, std::size_t cell, double trut
   EXPECT_NEAR(engine.irradiance(side, 0), truth, 4.5 * error + 0.005 * truth)
     << name << ", cell " << cell << ", estimate " << engine.settings().gathersDirectLight
     << static_cast<int>(engine.settings().cellEstimate);
-  EXPECT_LE(error, 0.2 * truth + 0.05) << name << ", cell " << cell;
+  EXPECT_LE(error, (kIsSanitized ? 0.5 : 0.2) * truth + 0.05) << name << ", cell " << cell;
   return error * engine.cells().area({ 0, cell });
 }
 
@@ -187,7 +187,8 @@ TEST(Luminaires, EstimatesAgreeNearWideOnes)
     for (std::size_t i = 1; i < settings.size(); ++i)
     {
       SCOPED_TRACE(std::string(lamp.name) + ", estimate " + std::to_string(i));
-      EXPECT_GE(expectAgreement(walks, UpdatedEngine(objects, settings[i])), 54);
+      EXPECT_GE(
+        expectAgreement(walks, UpdatedEngine(objects, settings[i])), kIsSanitized ? 30 : 54);
     }
   }
 }
