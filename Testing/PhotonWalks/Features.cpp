@@ -468,7 +468,7 @@ std::vector<Feature> features()
       true },
     { "Sky", outdoors(Shoot(walks).errors(16).cached(), 1, 0) },
     { "SunAndSkyOfGatheredLight", outdoors(Shoot(walks).gathered().errors(4).bySide(), 3, 0.01) },
-    { "SkyOfFinalGather", outdoors(Shoot(5000).finalGather(8).everywhere().errors(4), 1, 0.005) },
+    { "SkyOfFinalGather", outdoors(Shoot(5000).finalGather(8).everywhere().errors(4), 3, 0.005) },
     { "SensorsUnderTheSky", outdoors(Shoot(walks).gathered().errors(3).keptByAll(), 3, 0.01),
       bySensors },
     { "ManyMovers", amongMany(24, 0.2, Shoot(walks)) },

@@ -2,6 +2,7 @@
 #include "DirectLight/DarkSides.h"
 
 #include "Kit.h"
+#include "Skies.h"
 
 // Sides of cells that no light can reach straight from the lights, and the cells that gather
 // nothing.
@@ -76,7 +77,7 @@ TEST(OuterSides, AreDarkUnlessSomethingIsInFront)
     }
     Box bounds = objects.staticObject.worldBounds();
     bounds.add(objects.dynamicObjects[0].worldBounds());
-    markOuterSides(shapes, bounds);
+    markOuterSides(shapes, bounds, {});
     constexpr std::size_t kOfWall = 16;
     std::size_t backs = 0;
     for (std::size_t cell = 0; cell < 6 * kOfWall; ++cell)
@@ -86,6 +87,34 @@ TEST(OuterSides, AreDarkUnlessSomethingIsInFront)
     }
     EXPECT_EQ(backs, (beyond > 4 ? 5 : 6) * kOfWall);
   }
+}
+
+// Light from above the horizon comes to all walls of a house but the floor; that of a low sun to
+// the roof and to two of them.
+TEST(OuterSides, AreLitByTheSky)
+{
+  const SceneObjects objects = withBox({ 1, 1, 1 }, { 2, 2, 2 }, 1);
+  const Box bounds = objects.staticObject.worldBounds();
+  const DistantLight sky(skyOf(bounds, overcastSky)),
+    sun = DistantLight::sunOf(sunOnly(bounds, skyDirection(80, 30), 700, 0.005));
+  const auto litBacks = [&](const std::vector<const DistantLight*>& distant) {
+    CellShapes shapes = shapesOf(objects);
+    std::size_t backs = 0;
+    for (std::size_t cell = 0; cell < 96; ++cell)
+    {
+      shapes.setDark(cell, false, false);
+    }
+    markOuterSides(shapes, bounds, distant);
+    for (std::size_t cell = 0; cell < 96; ++cell)
+    {
+      backs += shapes[cell].isBackDark ? 0 : 1;
+    }
+    return backs;
+  };
+  EXPECT_EQ(litBacks({}), 0u);
+  EXPECT_EQ(litBacks({ &sky }), 5 * 16u);
+  EXPECT_EQ(litBacks({ &sun }), 3 * 16u);
+  EXPECT_EQ(litBacks({ &sun, &sky }), 5 * 16u);
 }
 
 TEST(DarkSides, AreInsideAClosedBodyAndBelowIt)

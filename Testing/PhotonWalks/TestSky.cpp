@@ -264,6 +264,22 @@ const SkyWay kWays[] = { { "Walks", Shoot(scaled(1 << 18)) },
 INSTANTIATE_TEST_SUITE_P(Ways, SkyLight, testing::ValuesIn(kWays),
   [](const auto& info) { return std::string(info.param.name); });
 
+// No ray starts below the ground, where neither the sky nor anything else is.
+TEST(SkyByRays, StartWhereThereMayBeLight)
+{
+  const auto raysOver = [](const RadianceOf& radiance, double ground) {
+    ObjectBuilder yard;
+    yard.addQuad({ 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, 2, 2, grey(0.5));
+    const SceneObjects objects = under(yard, radiance, ground);
+    return UpdatedEngine(objects, Shoot(100).finalGather(16).everywhere())
+      .statistics()
+      .followedPaths;
+  };
+  const std::int64_t above = raysOver(overcastSky, 0);
+  EXPECT_GT(above, 0);
+  EXPECT_EQ(raysOver(overcastSky, 0.2), 2 * above);
+}
+
 // Sensors in the air, and on the roof of a black house.
 TEST(SkyAtSensors, AreClosedForms)
 {

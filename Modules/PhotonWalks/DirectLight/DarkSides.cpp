@@ -59,8 +59,13 @@ void markInnerSides(CellShapes& cells, const Frame& frame, const std::vector<Box
   }
 }
 
-void markOuterSides(CellShapes& cells, const Box& bounds)
+void markOuterSides(
+  CellShapes& cells, const Box& bounds, const std::vector<const DistantLight*>& distant)
 {
+  const auto mayComeTo = [&](const Vector3& normal) {
+    return std::any_of(distant.begin(), distant.end(),
+      [&](const DistantLight* light) { return light->mayComeTo(normal); });
+  };
   for (std::size_t cell = 0; cell < cells.size(); ++cell)
   {
     const CellShape& shape = cells[cell];
@@ -68,8 +73,11 @@ void markOuterSides(CellShapes& cells, const Box& bounds)
     {
       // For rounding; rays start clear of the surface by far more, see SurfacePoint.
       const double slack = 0x1p-40 * shape.center.cwiseAbs().maxCoeff();
-      cells.setDark(cell, shape.isFrontDark || isBehind(bounds, shape.center, shape.normal, slack),
-        shape.isBackDark || isBehind(bounds, shape.center, -shape.normal, slack));
+      const auto isOuter = [&](const Vector3& normal) {
+        return isBehind(bounds, shape.center, normal, slack) && !mayComeTo(normal);
+      };
+      cells.setDark(cell, shape.isFrontDark || isOuter(shape.normal),
+        shape.isBackDark || isOuter(-shape.normal));
     }
   }
 }

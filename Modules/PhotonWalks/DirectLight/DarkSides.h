@@ -19,9 +19,10 @@ void markInnerSides(CellShapes& cells, const Frame& frame, const std::vector<Box
 
 /**
  * Marks the sides of flat cells to which no light can come at all, since everything is behind them:
- * the outer sides of a room. `bounds`: of the scene, and of all lights.
+ * the outer sides of a room. `bounds`: of the scene, and of all lights but those that are `distant`.
  */
-void markOuterSides(CellShapes& cells, const Box& bounds);
+void markOuterSides(
+  CellShapes& cells, const Box& bounds, const std::vector<const DistantLight*>& distant);
 
 /**
  * Marks the sides of cells to which no light can come straight from the lights of a table, whatever

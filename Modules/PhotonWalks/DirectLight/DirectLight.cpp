@@ -71,7 +71,7 @@ DirectLight::DirectLight(const CellShapes& cells, const LampPieces& lamps, const
 void DirectLight::gather(const Frame& frame, Execution& execution)
 {
   const CancelPoint cancelPoint = cancelPointOf(execution, 0);
-  assignPaced(samples_, plan_.size(), {}, cancelPoint);
+  samples_.resize(plan_.size()); // all are made below
   assignPaced(views_, plan_.size(), kNever, cancelPoint);
   assignPaced(units_, cells_.size(), 0.0, cancelPoint);
   assignPaced(variances_, cells_.size(), {}, cancelPoint);

@@ -5,6 +5,7 @@
 #include "DirectLight/CellSampler.h"
 #include "Execution/Execution.h"
 #include "Sampling/WalkPlan.h"
+#include "Simd/LargePages.h"
 #include "Tally/CellSums.h"
 
 #include <cstdint>
@@ -20,6 +21,8 @@ namespace irradiance
 class DirectLight
 {
 public:
+  using Samples = std::vector<DirectSample, LargePages<DirectSample>>;
+
   /// All but the numbers must outlive it.
   DirectLight(const CellShapes& cells, const LampPieces& lamps, const DirectPlan& plan,
     std::uint64_t seed, double quantaPerWatt);
@@ -34,7 +37,7 @@ public:
 
   const DirectPlan& plan() const { return plan_; }
   /// By number; those of a cell that is not there are none.
-  const std::vector<DirectSample>& samples() const { return samples_; }
+  const Samples& samples() const { return samples_; }
   std::size_t bytes() const
   {
     return samples_.capacity() * (sizeof(DirectSample) + sizeof(View)) +
@@ -78,7 +81,7 @@ private:
   const DirectPlan& plan_;
   std::uint64_t seed_;
   double quantaPerWatt_;
-  std::vector<DirectSample> samples_;
+  Samples samples_;
   /// By cell, quanta: a power of two, of which all that its samples bring together is less than
   /// 2^53. What each brings is rounded to it, so no sum of these is rounded, in whatever order.
   std::vector<double> units_;

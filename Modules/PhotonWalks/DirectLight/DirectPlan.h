@@ -20,6 +20,8 @@ struct FewestSamples
   /// In place of `small` if there are few cells, for a share of the time that the walks take; 0:
   /// not decided.
   std::uint32_t mostOfSmall = 0;
+  /// Of a sky to which the rays of all cells escape, for these and those; 0: as of other lights.
+  std::uint32_t ofSky = 0;
 
   /// If not decided: as many as pay in the end, as of static cells, which gather once.
   FewestSamples asMany() const { return with(64); }
@@ -33,13 +35,14 @@ struct FewestSamples
 
   friend bool operator==(const FewestSamples& a, const FewestSamples& b)
   {
-    return a.small == b.small && a.large == b.large && a.mostOfSmall == b.mostOfSmall;
+    return a.small == b.small && a.large == b.large && a.mostOfSmall == b.mostOfSmall &&
+      a.ofSky == b.ofSky;
   }
 
 private:
   FewestSamples with(std::uint32_t most) const
   {
-    return { small, large, mostOfSmall > 0 ? mostOfSmall : most };
+    return { small, large, mostOfSmall > 0 ? mostOfSmall : most, ofSky };
   }
 };
 

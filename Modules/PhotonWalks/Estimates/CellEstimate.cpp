@@ -133,6 +133,7 @@ FewestSamples fewestSamplesOf(const EstimateSettings& settings, const FewestSamp
     // Of few samples, the edges of shadows are the larger noise.
     constexpr std::uint32_t kFewest = 8;
     fewest = fewest.asMany();
+    fewest.ofSky = settings.gathersEverywhere ? kFewest : 0;
     fewest.small = std::max({ fewest.small, kFewest, settings.gatherRays / 2 });
     fewest.large = std::max(fewest.large,
       settings.gathersEverywhere ? CellRoles::kTimesOfLarge * fewest.small : fewest.small);

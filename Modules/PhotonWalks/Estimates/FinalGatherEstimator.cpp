@@ -45,6 +45,30 @@ void addNearLampLight(const FinalGatherScene& scene, const WalkSet& set, std::si
   light.addTo(sums, 0, 1, {}, cancelPoint);
 }
 
+/// The light of a sky to which rays escape; null: there is none.
+const Light* skyOf(const WalkSets& walks)
+{
+  const auto set = std::find_if(walks.sets().begin(), walks.sets().end(),
+    [](const WalkSet& some) { return some.source().isSky() && !some.lights().isEmpty(); });
+  return set == walks.sets().end() ? nullptr : &set->lights()[0];
+}
+
+/// Takes from the sums of all ranks what cells gathered of the sky.
+void takeSky(const WalkSets& walks, CellSums& sums, Execution& execution)
+{
+  const CancelPoint cancelPoint = cancelPointOf(execution, 1);
+  for (const WalkSet& set : walks.sets())
+  {
+    std::size_t round = 0;
+    set.forEachGathered([&](const DirectGather& gathered) {
+      if (set.source().isSky())
+      {
+        gathered.light().addTo(sums, round++, -1, {}, cancelPoint);
+      }
+    });
+  }
+}
+
 }
 
 void FinalGatherEstimator::update(const EstimateRounds& rounds, Execution& execution)
@@ -60,7 +84,8 @@ void FinalGatherEstimator::update(const EstimateRounds& rounds, Execution& execu
     walks().isEmpty() ? 0 : settings_.gatherRays, settings_.gathersEverywhere,
     !settings_.unbiasedGather);
   const CellShapes shapes = darkShapesOf(walks(), frame(), cancelPoint);
-  const std::deque<PointDirectLight> lights = lightsOf(walks(), frame(), seed_, kSamplesOfHit);
+  const std::deque<PointDirectLight> lights =
+    lightsOf(walks(), frame(), seed_, kSamplesOfHit, Asked::ButSky);
   const std::vector<bool> found = foundLamps(walks(), frame().cells.numbers());
   const std::vector<bool> uneven = unevenCells(shapes, *roles_, walks(), cancelPoint);
   FinalGatherScene scene{ frame(), shapes, *roles_, all,
@@ -68,6 +93,7 @@ void FinalGatherEstimator::update(const EstimateRounds& rounds, Execution& execu
     uneven, firstRays(), 1 / walks().watts(1.0, rounds.walks), seed_,
     keepsPaths() || mostRays_ > 0 };
   scene.tellsNoise = mostRays_ > 0;
+  scene.sky = skyOf(walks());
   for (const WalkSet& set : walks().sets())
   {
     if (!set.source().cells && !set.source().areFoundByRays && !set.lights().isEmpty())
@@ -76,6 +102,10 @@ void FinalGatherEstimator::update(const EstimateRounds& rounds, Execution& execu
     }
   }
   gather_.update(scene, rounds.rays, execution);
+  if (scene.sky)
+  {
+    takeSky(walks(), direct, execution);
+  }
   putTogether(scene, direct, cancelPoint);
 }
 

@@ -61,6 +61,7 @@ private:
   /// For frames to come.
   bool keepsPaths() const { return mayFollow_ && !frame().objects.dynamicObjects.empty(); }
   /// From what cells have themselves, and what was gathered for them.
+  /// `direct`: without what rays find.
   void putTogether(
     const FinalGatherScene& scene, const CellSums& direct, const CancelPoint& cancelPoint);
 

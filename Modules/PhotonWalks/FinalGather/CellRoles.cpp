@@ -74,7 +74,8 @@ std::vector<bool> foundLamps(const WalkSets& walks, const CellNumbers& cells)
   std::vector<bool> areFound;
   for (const WalkSet& set : walks.sets())
   {
-    for (std::size_t i = 0; set.source().areFoundByRays && i < set.lights().lights().size(); ++i)
+    const bool areLamps = set.source().areFoundByRays && !set.source().isSky();
+    for (std::size_t i = 0; areLamps && i < set.lights().lights().size(); ++i)
     {
       areFound.resize(cells.size());
       areFound[cells[set.lights()[i].cell]] = true;
@@ -86,6 +87,8 @@ std::vector<bool> foundLamps(const WalkSets& walks, const CellNumbers& cells)
 CellShapes darkShapesOf(const WalkSets& walks, const Frame& frame, const CancelPoint& cancelPoint)
 {
   std::vector<Box> lights;
+  std::vector<const DistantLight*> distant;
+  Box bounds = frame.scene.bounds();
   bool areGathered = false;
   for (const WalkSet& set : walks.sets())
   {
@@ -93,6 +96,11 @@ CellShapes darkShapesOf(const WalkSets& walks, const Frame& frame, const CancelP
     for (const Light& light : set.lights().lights())
     {
       lights.push_back(light.stand());
+      bounds.add(light.stand());
+      if (light.distant())
+      {
+        distant.push_back(light.distant());
+      }
     }
   }
   CellShapes shapes(frame, 0, frame.objects.size(), cancelPoint);
@@ -100,7 +108,7 @@ CellShapes darkShapesOf(const WalkSets& walks, const Frame& frame, const CancelP
   {
     markInnerSides(shapes, frame, lights);
   }
-  markOuterSides(shapes, walks.bounds(frame.scene));
+  markOuterSides(shapes, bounds, distant);
   return shapes;
 }
 

@@ -149,6 +149,13 @@ void FinalGather::gather(
     }
     start += side.starts;
   }
+  for (FollowedPaths& paths : unit.rounds)
+  {
+    if (!scene.keepsPaths)
+    {
+      forgotten_.giveBack(std::make_unique<FollowedPaths>(std::move(paths)));
+    }
+  }
 }
 
 void FinalGather::follow(const FinalGatherScene& scene, const FinalGatherMotion* motion,
@@ -156,7 +163,7 @@ void FinalGather::follow(const FinalGatherScene& scene, const FinalGatherMotion*
 {
   std::vector<std::size_t> from;
   std::vector<std::uint32_t> rays;
-  FollowedPaths anew = FinalGatherPaths::follow(paths_, scene, [&](FinalGatherPaths& following) {
+  const auto addStarts = [&](FinalGatherPaths& following) {
     for (const Side& side : sides)
     {
       const SceneCell& cell = gatherers_[side.gatherer];
@@ -179,7 +186,9 @@ void FinalGather::follow(const FinalGatherScene& scene, const FinalGatherMotion*
         following.addSide(scene.frame.cells.numbers()[cell], side.side == 0, number, rays);
       }
     }
-  });
+  };
+  std::unique_ptr<FollowedPaths> memory = forgotten_.take();
+  FollowedPaths anew = FinalGatherPaths::follow(paths_, scene, addStarts, std::move(*memory));
   followed_ += static_cast<std::int64_t>(anew.size());
   paths = motion ? anew.mergedWith(paths, from) : std::move(anew);
 }

@@ -90,6 +90,7 @@ private:
   std::size_t keptRounds_ = 0;
   std::optional<PathsOrigin> origin_;                   ///< of the paths that are kept
   Pool<FinalGatherPaths> paths_;                        ///< what threads work with
+  Pool<FollowedPaths> forgotten_;                       ///< of which the memory is left
   std::atomic<std::int64_t> followed_{ 0 }, read_{ 0 }; ///< of this rank: paths, segments
   std::int64_t segments_ = 0;
   CellSums indirect_, stale_, noise_;

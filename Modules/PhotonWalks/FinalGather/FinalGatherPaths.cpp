@@ -196,7 +196,7 @@ FinalGatherPaths::Path FinalGatherPaths::startOf(std::uint64_t seed, std::uint32
   return path;
 }
 
-FollowedPaths FinalGatherPaths::run()
+FollowedPaths FinalGatherPaths::run(FollowedPaths memory)
 {
   while (!paths_.empty())
   {
@@ -229,10 +229,10 @@ FollowedPaths FinalGatherPaths::run()
     paths_.swap(next_);
     rays_.swap(nextRays_);
   }
-  return sorted();
+  return sorted(std::move(memory));
 }
 
-FollowedPaths FinalGatherPaths::sorted()
+FollowedPaths FinalGatherPaths::sorted(FollowedPaths memory)
 {
   std::vector<std::uint32_t> ends(numberOfPaths_ + 1), order(steps_.size());
   for (const Step& step : steps_)
@@ -245,8 +245,8 @@ FollowedPaths FinalGatherPaths::sorted()
   {
     order[places[steps_[i].path]++] = i;
   }
-  FollowedPaths followed;
-  followed.reserve(numberOfPaths_, steps_.size(), values_.size());
+  FollowedPaths followed = std::move(memory);
+  followed.clear(numberOfPaths_, steps_.size(), values_.size());
   steps_.push_back({ numberOfPaths_, {}, values_.size(), shadows_.size() }); // where the last ends
   for (std::uint32_t path = 0; path < numberOfPaths_; ++path)
   {
@@ -340,7 +340,7 @@ void FinalGatherPaths::recordStart(
 void FinalGatherPaths::addStep(const Path& path, const PathSegment& segment)
 {
   steps_.push_back({ path.place, segment, values_.size(), shadows_.size() });
-  if (bands_ > 1 && segment.triangle != SceneTriangles::kNone)
+  if (bands_ > 1 && (segment.triangle != SceneTriangles::kNone || scene_->sky))
   {
     values_.insert(values_.end(), path.weight.begin(), path.weight.begin() + bands_);
   }

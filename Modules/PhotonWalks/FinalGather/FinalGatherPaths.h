@@ -31,15 +31,16 @@ class FinalGatherPaths
 {
 public:
   /// Follows all paths that addStarts(FinalGatherPaths) adds to their ends, in the order in which
-  /// they were added. Throws std::runtime_error for one that does not end.
+  /// they were added. Throws std::runtime_error for one that does not end. `memory`: of paths that
+  /// nobody needs any more.
   template <class AddStarts>
-  static FollowedPaths follow(
-    Pool<FinalGatherPaths>& pool, const FinalGatherScene& scene, const AddStarts& addStarts)
+  static FollowedPaths follow(Pool<FinalGatherPaths>& pool, const FinalGatherScene& scene,
+    const AddStarts& addStarts, FollowedPaths memory = {})
   {
     std::unique_ptr<FinalGatherPaths> paths = pool.take();
     paths->begin(scene);
     addStarts(*paths);
-    FollowedPaths followed = paths->run();
+    FollowedPaths followed = paths->run(std::move(memory));
     pool.giveBack(std::move(paths));
     return followed;
   }
@@ -91,7 +92,7 @@ private:
 
   /// Forgets all paths.
   void begin(const FinalGatherScene& scene);
-  FollowedPaths run();
+  FollowedPaths run(FollowedPaths memory);
   Path startOf(std::uint64_t seed, std::uint32_t ray);
   /// Asks the lights on the lobe of a start.
   void recordStart(
@@ -104,7 +105,7 @@ private:
   void addStep(const Path& path, const PathSegment& segment);
   void askLights(const Path& path, const PathVertex& at, const Arrival& arrival);
   /// The steps by path, in the order of these.
-  FollowedPaths sorted();
+  FollowedPaths sorted(FollowedPaths memory);
   /// Appends what goes on.
   void goOn(const Path& path, const Ray& ray, const Arrival& arrival);
   /// Appends the path to `paths` and its ray to `rays`.

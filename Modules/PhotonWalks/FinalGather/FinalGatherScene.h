@@ -46,7 +46,8 @@ struct FinalGatherScene
   bool asksOnLobes = false;
   /// Whether the noise of rays is told from that of what they read.
   bool tellsNoise = false;
-  std::uint32_t round = 0; ///< of rays, see inRound()
+  const Light* sky = nullptr; ///< that counts where paths escape; null: none does
+  std::uint32_t round = 0;    ///< of rays, see inRound()
 
   /// Whether what a cell received on average is read at any of its points.
   bool isRead(const SceneCell& cell) const

@@ -4,10 +4,14 @@
 namespace irradiance
 {
 
-void FollowedPaths::reserve(std::size_t paths, std::size_t segments, std::size_t values)
+void FollowedPaths::clear(std::size_t paths, std::size_t segments, std::size_t values)
 {
+  segments_.clear();
   segments_.reserve(segments);
+  values_.clear();
   values_.reserve(values);
+  shadows_.clear();
+  ends_.clear();
   ends_.reserve(paths);
 }
 

@@ -54,7 +54,8 @@ public:
     return { segments_.data() + first.segment, segments_.data() + end.segment,
       values_.data() + first.value, shadows_.data() + first.shadow, shadows_.data() + end.shadow };
   }
-  void reserve(std::size_t paths, std::size_t segments, std::size_t values);
+  /// Forgets all paths, and makes room for others.
+  void clear(std::size_t paths, std::size_t segments, std::size_t values);
   /// To the path that endPath() ends. `values`: with several bands the weights of the segment; what
   /// the lights brought where they were asked; the weight of a lamp. `shadows`: of these lights.
   void addSegment(const PathSegment& segment, const double* values, const double* endOfValues,

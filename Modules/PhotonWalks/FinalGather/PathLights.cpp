@@ -22,12 +22,15 @@ double weightBeside(double density, double other)
 }
 
 std::deque<PointDirectLight> lightsOf(const WalkSets& walks, const Frame& frame, std::uint64_t seed,
-  std::uint32_t samples, std::size_t mostWeights, bool gathered)
+  std::uint32_t samples, Asked which, std::size_t mostWeights)
 {
   std::deque<PointDirectLight> lights;
   for (const WalkSet& set : walks.sets())
   {
-    const bool isAsked = gathered ? set.source().cells.has_value() : !set.source().areFoundByRays;
+    const WalkSource& source = set.source();
+    const bool isAsked = which == Asked::Gathered
+      ? source.cells.has_value()
+      : !source.areFoundByRays || (which == Asked::All && source.isSky());
     // The sets of dynamic cells have the same lights.
     if (isAsked && !set.source().isDynamic() && !set.lights().isEmpty())
     {

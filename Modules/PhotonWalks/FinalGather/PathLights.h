@@ -17,10 +17,16 @@ namespace irradiance
 constexpr std::uint32_t kSamplesOfHit = 4;
 
 /// All lights but those of foundLamps(), whether walks start there or cells gather what they send,
-/// for points that ask them by themselves; or only those that are `gathered`. The arguments must
-/// outlive what is returned. `samples`: of each point, for each group of lights.
+/// for points that ask them by themselves; or only some of these. The arguments must outlive what
+/// is returned. `samples`: of each point, for each group of lights.
+enum class Asked
+{
+  All,
+  ButSky,  ///< to which rays escape
+  Gathered ///< by cells
+};
 std::deque<PointDirectLight> lightsOf(const WalkSets& walks, const Frame& frame, std::uint64_t seed,
-  std::uint32_t samples, std::size_t mostWeights = LampChoice::kMost, bool gathered = false);
+  std::uint32_t samples, Asked which, std::size_t mostWeights = LampChoice::kMost);
 
 /// "object 1, cell 2".
 std::string numbersOf(const SceneCell& cell);

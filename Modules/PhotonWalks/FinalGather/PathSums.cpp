@@ -57,6 +57,20 @@ void addKnown(const FinalGatherScene& scene, const PathSegment& segment, const B
   }
 }
 
+/// Where a path escapes.
+void addSky(const FinalGatherScene& scene, const PathSegment& segment, const Bands& weight,
+  double quantaPerWatt, Bands& sum)
+{
+  // Rays have the density cos(theta) / pi.
+  const Vector3 towards = Vector3(segment.to[0], segment.to[1], segment.to[2]).normalized();
+  const double exitance = kPi * quantaPerWatt * scene.sky->distant()->radiancePerWatt(towards);
+  for (int band = 0; band < scene.known.bands(); ++band)
+  {
+    const auto i = static_cast<std::size_t>(band);
+    sum[i] += weight[i] * exitance * scene.sky->flux[i];
+  }
+}
+
 /// What a path brings to a replicate.
 void add(const FinalGatherScene& scene, const FollowedPaths::Path& path, std::uint32_t replicate,
   Bands& sum, Bands& stale)
@@ -65,14 +79,24 @@ void add(const FinalGatherScene& scene, const FollowedPaths::Path& path, std::ui
   const double quantaPerWatt = scene.quantaPerWatt / scene.replicates();
   const double* value = path.values;
   Bands weight{ 1.0 / scene.raysOfReplicate() };
-  for (const PathSegment* segment = path.begin;
-       segment != path.end && segment->triangle != SceneTriangles::kNone; ++segment)
+  bool countsSky = scene.sky != nullptr;
+  for (const PathSegment* segment = path.begin; segment != path.end; ++segment)
   {
-    if (bands > 1)
+    const bool isHit = segment->triangle != SceneTriangles::kNone;
+    if (bands > 1 && (isHit || scene.sky))
     {
       std::copy_n(value, bands, weight.begin());
       value += bands;
     }
+    if (!isHit)
+    {
+      if (countsSky)
+      {
+        addSky(scene, *segment, weight, quantaPerWatt, sum);
+      }
+      return;
+    }
+    countsSky = scene.sky && !segment->isDirectKnown; // what is known has that of the sky in it
     if (segment->isKnown || segment->isDirectKnown)
     {
       addKnown(scene, *segment, weight, replicate, sum, stale);

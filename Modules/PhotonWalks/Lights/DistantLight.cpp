@@ -156,6 +156,16 @@ std::vector<DistantLight::Part> DistantLight::partsOfSky() const
   return parts;
 }
 
+bool DistantLight::mayComeTo(const Vector3& normal) const
+{
+  const double level = std::hypot(normal[0], normal[1]);
+  return std::any_of(parts_->begin(), parts_->end(), [&](const Part& part) {
+    const double height = normal[2] > 0 ? part.upper : part.lower;
+    return normal.dot(part.middle) > -std::sin(part.radius) &&
+      (!isSky() || normal[2] * height + level > 0);
+  });
+}
+
 Vector3 DistantLight::inDisc(const std::array<double, 2>& u) const
 {
   const double height = 1 - u[0] * (1 - cosine_);
@@ -196,6 +206,11 @@ DistantLight::Sample DistantLight::sample(const Part& part, const std::array<dou
   return { direction, part.solidAngle(),
     table_->valueAt(arcTangent(radius, height), azimuth, 1) / table_->integral() *
       part.solidAngle() / crossSection(direction) };
+}
+
+double DistantLight::radiancePerWatt(const Vector3& direction) const
+{
+  return table_->value(swapped(direction)) / (table_->integral() * crossSection(direction));
 }
 
 double DistantLight::crossSection(const Vector3& direction) const

@@ -35,6 +35,9 @@ public:
     return table_ ? table_->integral() : 2 / (1 + cosine_) * meanCrossSection_;
   }
   const Box& bounds() const { return lit_; }
+  bool isSky() const { return table_ != nullptr; }
+  /// Of a sky: the radiance from a direction, a unit vector, for each W of the light, 1/m2/sr.
+  double radiancePerWatt(const Vector3& direction) const;
   Ray leaving(const std::array<double, 2>& place, const std::array<double, 2>& direction) const;
   /// m2, of the box as it is seen along a direction.
   double crossSection(const Vector3& direction) const;
@@ -53,6 +56,8 @@ public:
     double solidAngle() const { return (upper - lower) * (last - first); }
   };
   const std::vector<Part>& parts() const { return *parts_; }
+  /// Whether any of it may come to the front of a plane, roughly. `normal`: a unit vector.
+  bool mayComeTo(const Vector3& normal) const;
   /// A place of a part that the unit square chooses, with what its light brings.
   struct Sample
   {

@@ -91,8 +91,8 @@ std::optional<LitPoint> sensorPlace(const Box& bounds, const Box& near, const Se
 std::deque<PointDirectLight> gatheredLightsOf(const IrradianceEngine& engine)
 {
   constexpr std::uint32_t kSamples = 64;
-  return lightsOf(engine.walks(), engine.frame(), engine.settings().seed, kSamples,
-    LampChoice::kMostOfPoint, true);
+  return lightsOf(engine.walks(), engine.frame(), engine.settings().seed, kSamples, Asked::Gathered,
+    LampChoice::kMostOfPoint);
 }
 
 Bands directLightAt(const Foot& foot, std::uint64_t number,
@@ -114,7 +114,7 @@ SensorFinalGather::SensorFinalGather(
   , noShapes_(engine.frame(), 0, 0)
   , gather_(checked(engine), noShapes_, rays, false, keepsRays, execution)
   , direct_(lightsOf(engine.walks(), engine.frame(), engine.settings().seed, gather_.scene().rays,
-      LampChoice::kMostOfPoint))
+      Asked::All, LampChoice::kMostOfPoint))
 {
 }
 

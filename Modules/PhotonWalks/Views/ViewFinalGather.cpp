@@ -13,7 +13,7 @@ ViewFinalGather::ViewFinalGather(const IrradianceEngine& engine, const CellShape
   std::uint32_t rays, bool asksOnLobes, bool keepsPaths, Execution& execution)
   : engine_(engine)
   , lights_(lightsOf(engine.walks(), engine.frame(), engine.settings().seed,
-      asksOnLobes ? kSamplesOnLobe : kSamplesOfHit))
+      asksOnLobes ? kSamplesOnLobe : kSamplesOfHit, Asked::All))
   , foundLamps_(foundLamps(engine.walks(), engine.cells().numbers()))
   , roles_(engine.cells(), engine.numberOfWalks(), engine.hasLights() ? rays : 0)
   , unevenCells_(unevenCells(CellShapes(engine.frame(), 0, 1, cancelPointOf(execution, 0)), roles_,

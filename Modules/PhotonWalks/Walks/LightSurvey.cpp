@@ -153,6 +153,9 @@ std::vector<WalkSource> partsOf(const WalkSource& source, const LightSurvey::Gro
     gathered.lamps = group.lamps;
     gathered.walksPerSample = group.walksPerSample;
     gathered.fewest = fewestSamples.atVariance(group.variance);
+    const DistantLight* const distant =
+      gathered.lights.isEmpty() ? nullptr : gathered.lights[0].distant();
+    gathered.areFoundByRays = distant && distant->isSky(); // a source of its own
     parts.push_back(std::move(gathered));
   }
   if (parts.size() > 1 || !parts.front().cells)
@@ -306,7 +309,10 @@ std::vector<WalkSource> directSourcesOf(const SceneObjects& objects,
       all.back().quantaPerStart = std::max<std::int64_t>(1,
         std::llround(LightSurvey::powerOfStart(reflected) *
           static_cast<double>(source.lights.quantaPerWalk())));
-      all.back().fewest = part == kStaticPart ? fewestSamples.asMany() : source.fewest;
+      const std::uint32_t ofSky = source.isSky() ? fewestSamples.ofSky : 0;
+      all.back().fewest = ofSky > 0 ? FewestSamples{ ofSky, ofSky, ofSky }
+        : part == kStaticPart       ? fewestSamples.asMany()
+                                    : source.fewest;
       all.back().firstWalk = end;
       end += part == kStaticPart ? ofStatic : (share - ofStatic) / std::max(1u, others);
     }
@@ -319,7 +325,7 @@ void addLamps(std::vector<WalkSource>& sources)
   std::shared_ptr<const LampPieces> lamps;
   for (WalkSource& source : sources)
   {
-    if (source.areFoundByRays)
+    if (source.areFoundByRays && !source.cells)
     {
       continue; // nothing asks them
     }

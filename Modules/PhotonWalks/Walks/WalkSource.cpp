@@ -28,6 +28,17 @@ std::uint32_t numberOfGroups(const SceneObjects& objects)
   return groups;
 }
 
+/// The sky of a table, or all else.
+LightTable partOf(const LightTable& table, bool isSky)
+{
+  std::vector<bool> chosen;
+  for (const Light& light : table.lights())
+  {
+    chosen.push_back((light.distant() && light.distant()->isSky()) == isSky);
+  }
+  return table.only(chosen);
+}
+
 /// Of a walk: rounding them changes its power by less than .2 %.
 constexpr double kFewestQuanta = 256;
 
@@ -75,12 +86,20 @@ std::vector<WalkSource> sourcesOf(
     // A class is worth a few walks of each replicate, of enough quanta.
     constexpr double kFewestWalks = 4;
     const double walks = plan.walksAfter(1) / (kFewestWalks * plan.replicates().count());
-    std::vector<LightTable> classes = powerClassesOf(
-      lights, objects, kFewestQuanta / (static_cast<double>(lights.quantaPerWalk()) * walks));
-    haveClasses = haveClasses || classes.size() > 1;
-    for (LightTable& some : classes)
+    for (const bool isSky : { false, true })
     {
-      sources.push_back({ std::move(some), plan });
+      const LightTable part = partOf(lights, isSky);
+      if (part.isEmpty())
+      {
+        continue;
+      }
+      std::vector<LightTable> classes = powerClassesOf(
+        part, objects, kFewestQuanta / (static_cast<double>(part.quantaPerWalk()) * walks));
+      haveClasses = haveClasses || classes.size() > 1;
+      for (LightTable& some : classes)
+      {
+        sources.push_back({ std::move(some), plan });
+      }
     }
   }
   if (sources.empty())

@@ -20,7 +20,8 @@ struct WalkSource
   WalkPlan plan; ///< of the walks that divide the flux of the lights
   /// The cells where direct light is gathered and walks start; none: they start at the lights.
   std::optional<CellPart> cells;
-  bool areFoundByRays = false; ///< the lights: rays of a final gather meet them, see FirstHits
+  /// The lights: rays of a final gather meet them, see FirstHits, or escape to them: a sky.
+  bool areFoundByRays = false;
   bool areNear = false;        ///< the lights, to what they shine on, see FirstHits
   std::uint32_t firstWalk = 0; ///< the number of the first of these walks
   /// With which a walk starts at cells, in all bands together.
@@ -35,6 +36,9 @@ struct WalkSource
   {
     return lamps ? lamps : std::make_shared<const LampPieces>(lights);
   }
+  /// Whether cells look for a sky, so that walks start there: what they find counts for all cells
+  /// but those whose rays escape to it.
+  bool isSky() const { return cells && areFoundByRays; }
   /// With which a walk starts, in all bands together.
   std::int64_t quantaPerWalk() const { return cells ? quantaPerStart : lights.quantaPerWalk(); }
 

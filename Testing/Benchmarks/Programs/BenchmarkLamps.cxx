@@ -9,8 +9,8 @@
  * - An office: the fewest walks, by powers of two, with which 95 % of the area is within 5 % of a
  *   long run with another seed, and the time that they take; four times the walks at most.
  * - A street below a sky: the efficiency, 1 / (squared RMS error x time), beside a plain gatherer
- *   (Rivals/PlainGatherer.h). The truth is what both find together, twice, and both must agree with
- *   it.
+ *   (Rivals/PlainGatherer.h): of the default, and of Method GatheredEverywhere with few walks. The
+ *   truth is what both programs find together, twice, and all must agree with it.
  * - A day with trackers: updates, as the sun moves and the modules turn, beside fresh starts with
  *   the same settings. All answers must have the same bits.
  *
@@ -237,7 +237,15 @@ void compareStreet(const std::string& name, const test::RadianceOf& radiance,
     { "plain gatherer", [&](std::uint64_t seed) { return gather(sizes.paths, seed); } },
     { "default", [&](std::uint64_t seed) { return shootDefault(street, sizes.walks, seed); } },
     { "a tenth of the walks",
-      [&](std::uint64_t seed) { return shootDefault(street, sizes.walks / 10, seed); } }
+      [&](std::uint64_t seed) { return shootDefault(street, sizes.walks / 10, seed); } },
+    { "GatheredEverywhere",
+      [&](std::uint64_t seed) {
+        EngineSettings settings;
+        settings.numberOfWalks = sizes.walks / 40;
+        settings.gathersDirectLight = settings.gathersEverywhere = true;
+        settings.cellEstimate = CellEstimate::Gathered;
+        return shootNew(street, withSeed(settings, seed));
+      } }
   };
   std::vector<double> costs;
   for (const auto& [who, shoot] : contestants)
