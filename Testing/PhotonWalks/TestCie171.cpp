@@ -221,7 +221,7 @@ protected:
     Shoot shoot(100);
     shoot.gathered().bySide().unverified();
     shoot.fewestSamples = { scaled(1 << 15), scaled(1 << 15), scaled(1 << 15) };
-    return GetParam() ? shoot.finalGather(8).everywhere() : shoot;
+    return GetParam() ? shoot.finalGather(1 << 14).everywhere() : shoot;
   }
 
   /// A cell of 8 cm around a place on a wall.

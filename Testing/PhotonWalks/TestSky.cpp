@@ -259,7 +259,7 @@ TEST_P(SkyLight, ReflectedBetweenHouses)
 
 const SkyWay kWays[] = { { "Walks", Shoot(scaled(1 << 18)) },
   { "GatheredLight", Shoot(scaled(1 << 16)).gathered() },
-  { "FinalGather", Shoot(scaled(1 << 16)).finalGather(16).everywhere() } };
+  { "FinalGather", Shoot(scaled(1 << 16)).finalGather(1024).everywhere() } };
 
 INSTANTIATE_TEST_SUITE_P(Ways, SkyLight, testing::ValuesIn(kWays),
   [](const auto& info) { return std::string(info.param.name); });
