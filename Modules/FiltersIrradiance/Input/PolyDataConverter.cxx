@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <sstream>
 
 namespace irradiance
 {
@@ -266,11 +265,8 @@ struct PolyDataConverter
       input->GetPoint(ids[i], point.data());
       if (!point.allFinite() || !(point.cwiseAbs().maxCoeff() <= kMostDistant))
       {
-        std::ostringstream message;
-        message << "point " << ids[i]
-                << (point.allFinite() ? " is out of range (" : " is not finite (")
-                << point.transpose() << ")";
-        failIf(true, message.str());
+        failIf(true, "point ", ids[i],
+          point.allFinite() ? " is out of range (" : " is not finite (", point.transpose(), ")");
       }
     }
   }

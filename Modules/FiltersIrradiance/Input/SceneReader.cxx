@@ -52,8 +52,8 @@ void checkReach(const std::string& where, const AffineMap& map, const Box& box)
     (map.linear.cwiseAbs() * box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs()) +
       map.translation.cwiseAbs())
       .maxCoeff();
-  throwIf(!(reach <= kMostDistant),
-    where + ": the transform takes points out of range, to " + text(reach) + " m");
+  throwIf(
+    !(reach <= kMostDistant), where, ": the transform takes points out of range, to ", reach, " m");
 }
 
 /// Nothing may stand where the light of a sky does not reach it.
@@ -80,9 +80,9 @@ void checkDigits(const SceneObjects& objects)
     scene.add(object.worldBounds());
   }
   const double size = scene.isEmpty() ? 0.0 : scene.extent().maxCoeff();
-  throwIf(scene.magnitude() > kFarthest * size,
-    "the scene is " + text(size) + " m large and " + text(scene.magnitude()) +
-      " m away from the origin: too far for its size, as positions there have too few digits");
+  throwIf(scene.magnitude() > kFarthest * size, "the scene is ", size, " m large and ",
+    scene.magnitude(),
+    " m away from the origin: too far for its size, as positions there have too few digits");
 }
 
 }
@@ -192,8 +192,8 @@ void SceneReader::adoptSky(const std::vector<const InputPart*>& staticParts)
   {
     if (hasSky(part->polyData))
     {
-      throwIf(found != nullptr,
-        part->name + ": has a sky, as " + (found ? found->name : "") + " has; there can be one");
+      throwIf(found != nullptr, part->name, ": has a sky, as ", found ? found->name : "",
+        " has; there can be one");
       found = part;
     }
   }
