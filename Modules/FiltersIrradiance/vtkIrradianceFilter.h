@@ -52,6 +52,7 @@
 
 #include "vtkFiltersIrradianceModule.h" // For export macro
 #include "vtkMultiBlockDataSetAlgorithm.h"
+#include "vtkSmartPointer.h" // For the controller
 
 #include <memory> // For the internals
 
@@ -452,6 +453,7 @@ protected:
   char* PoseArrayName = nullptr;
   vtkIdType NumberOfOutputWalks = 0, OutputWalksCell = -1;
   int OutputWalksPort = 0, OutputWalksConnection = 0;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
 
 private:
   vtkIrradianceFilter(const vtkIrradianceFilter&) = delete;

@@ -21,7 +21,6 @@
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
-#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkWeakPointer.h"
 
@@ -82,12 +81,10 @@ Settings CheckedSettings(vtkRadiantExposureFilter* filter, vtkInformation* input
   }
   irradiance::throwIf(
     !(settings.RelativeTolerance > 0 && std::isfinite(settings.RelativeTolerance)),
-    "RelativeTolerance is " + irradiance::text(settings.RelativeTolerance) +
-      "; it has to be positive");
+    "RelativeTolerance is ", settings.RelativeTolerance, "; it has to be positive");
   irradiance::throwIf(settings.MaximumNumberOfTimeSteps < settings.NumberOfTimeSteps,
-    "MaximumNumberOfTimeSteps is " + std::to_string(settings.MaximumNumberOfTimeSteps) +
-      ", but NumberOfTimeSteps, " + std::to_string(settings.NumberOfTimeSteps) +
-      ", is the least for error control");
+    "MaximumNumberOfTimeSteps is ", settings.MaximumNumberOfTimeSteps, ", but NumberOfTimeSteps, ",
+    settings.NumberOfTimeSteps, ", is the least for error control");
   return settings;
 }
 
@@ -208,10 +205,9 @@ public:
   void Forget() { this->Integral = nullptr; }
   irradiance::ControllerRanks GetRanks() const
   {
-    return irradiance::ControllerRanks(this->Controller);
+    return irradiance::ControllerRanks(this->Filter->GetController());
   }
 
-  vtkSmartPointer<vtkMultiProcessController> Controller;
   std::string Error; ///< found before the data were asked for
 
 private:
@@ -280,7 +276,7 @@ private:
     }
     this->Input()->Set(Pipeline::UPDATE_TIME_STEP(), *time);
     irradiance::throwIf(!this->Producer->Update(this->Filter->GetInputConnection(0, 0)->GetIndex()),
-      "the input could not be computed at time " + irradiance::text(*time) + ", see its own error");
+      "the input could not be computed at time ", *time, ", see its own error");
   }
 
   void Take(irradiance::ControllerRanks& ranks)
@@ -368,18 +364,11 @@ vtkExecutive* vtkRadiantExposureFilter::CreateDefaultExecutive()
   });
 }
 
-void vtkRadiantExposureFilter::SetController(vtkMultiProcessController* controller)
-{
-  if (this->Internals->Controller != controller)
-  {
-    this->Internals->Controller = controller;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkRadiantExposureFilter, Controller, vtkMultiProcessController);
 
 vtkMultiProcessController* vtkRadiantExposureFilter::GetController()
 {
-  return this->Internals->Controller;
+  return this->Controller;
 }
 
 int vtkRadiantExposureFilter::FillInputPortInformation(int, vtkInformation* info)

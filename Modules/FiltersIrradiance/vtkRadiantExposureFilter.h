@@ -56,6 +56,7 @@
 
 #include "vtkFiltersIrradianceModule.h" // For export macro
 #include "vtkPassInputTypeAlgorithm.h"
+#include "vtkSmartPointer.h" // For the controller
 
 #include <memory> // For the internals
 
@@ -173,6 +174,7 @@ protected:
   double RelativeTolerance = 0.01;
   int MaximumNumberOfTimeSteps = 1000;
   int NumberOfSpreadPhotons = 0;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
 
 private:
   vtkRadiantExposureFilter(const vtkRadiantExposureFilter&) = delete;
