@@ -354,7 +354,7 @@ NearestEstimate nearestEstimate(
     static_cast<std::uint32_t>(near.photons.size()) };
   for (std::size_t i = 0; i < counted; ++i)
   {
-    estimate.power += photons.histories().power(near.photons[i]);
+    estimate.power += photons.power(near.photons[i]);
   }
   if (!estimate.power.isZero())
   {
