@@ -5,6 +5,7 @@
 #include "Estimates/AutomaticChoice.h"
 #include "FinalGather/PathLights.h"
 #include "Input/ChosenArrays.h"
+#include "Input/Pose.h"
 #include "Input/SceneAdvice.h"
 #include "Output/OutputWriter.h"
 #include "Output/WalksWriter.h"
@@ -18,14 +19,10 @@
 #include "Time/TimeKeys.h"
 
 #include "vtkDataArray.h"
-#include "vtkDataObject.h"
-#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkLinearTransform.h"
-#include "vtkMatrix4x4.h"
-#include "vtkMatrixToLinearTransform.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
@@ -438,11 +435,7 @@ void vtkIrradianceFilter::RemoveAllDynamicTransforms()
 
 void vtkIrradianceFilter::SetDynamicMatrix(int i, const double elements[16])
 {
-  vtkNew<vtkMatrix4x4> matrix;
-  matrix->DeepCopy(elements);
-  vtkNew<vtkMatrixToLinearTransform> transform;
-  transform->SetInput(matrix);
-  this->SetDynamicTransform(i, transform);
+  this->SetDynamicTransform(i, irradiance::transformOf(elements));
 }
 
 // ParaView hands over numbers one by one.

@@ -14,7 +14,6 @@
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
-#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
@@ -112,8 +111,7 @@ void AddTimes(const irradiance::ExposureIntegral& integral, vtkFieldData* fields
   addNumber("StartTime", times.front());
   addNumber("EndTime", times.back());
   irradiance::addTuple<vtkIdTypeArray>(fields, "NumberOfTimeSteps", { count - 1 });
-  const auto all = irradiance::addArray<vtkDoubleArray>(fields, "IntegrationTimes", 1, count);
-  std::copy(times.begin(), times.end(), all->GetPointer(0));
+  irradiance::addColumn(fields, "IntegrationTimes", times);
   if (!std::isnan(integral.relativeError()))
   {
     addNumber("TimeIntegrationError", integral.relativeError());

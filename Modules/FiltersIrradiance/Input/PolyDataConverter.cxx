@@ -7,7 +7,6 @@
 #include "Progress/InputError.h"
 
 #include "vtkCellArray.h"
-#include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"

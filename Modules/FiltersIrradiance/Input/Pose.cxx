@@ -5,8 +5,8 @@
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
-#include "vtkLinearTransform.h"
 #include "vtkMatrix4x4.h"
+#include "vtkMatrixToLinearTransform.h"
 #include "vtkNew.h"
 #include "vtkTransform.h"
 
@@ -94,6 +94,15 @@ bool hasFieldPose(vtkFieldData* fields)
   }
   const bool isMatrix = vtkDataArray::SafeDownCast(array) && array->GetNumberOfValues() == 16;
   return !isMatrix || matrixOf("", array) != Matrix4::Identity();
+}
+
+vtkSmartPointer<vtkLinearTransform> transformOf(const double elements[16])
+{
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->DeepCopy(elements);
+  auto transform = vtkSmartPointer<vtkMatrixToLinearTransform>::New();
+  transform->SetInput(matrix);
+  return transform;
 }
 
 std::array<double, 16> matrixOf(const AffineMap& map)

@@ -6,7 +6,6 @@
 #include "Progress/InputError.h"
 
 #include "vtkDataArray.h"
-#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <utility>
@@ -20,11 +19,8 @@ namespace
 vtkDataArray* asNumbers(vtkAbstractArray* array, const std::string& where)
 {
   vtkDataArray* numbers = vtkDataArray::SafeDownCast(array);
-  if (array && !numbers)
-  {
-    throw InputError(where + ": the array " + array->GetName() + " is a " + array->GetClassName() +
-      ", not numbers");
-  }
+  throwIf(array && !numbers, where, ": the array ", array ? array->GetName() : "", " is a ",
+    array ? array->GetClassName() : "", ", not numbers");
   return numbers;
 }
 

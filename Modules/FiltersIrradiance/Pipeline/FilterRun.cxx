@@ -7,7 +7,6 @@
 #include "vtkAlgorithmOutput.h"
 #include "vtkCompositeDataPipeline.h"
 #include "vtkDataObject.h"
-#include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkInformationRequestKey.h"

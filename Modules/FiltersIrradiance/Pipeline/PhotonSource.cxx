@@ -7,17 +7,14 @@
 #include "Progress/InputError.h"
 
 #include "vtkDataArray.h"
-#include "vtkDataObjectTree.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkObject.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <string>
 #include <utility>
 
 namespace irradiance

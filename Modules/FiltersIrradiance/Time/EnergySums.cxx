@@ -4,7 +4,6 @@
 #include "Data/ArrayNames.h"
 #include "Data/NamedArray.h"
 
-#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 
