@@ -75,7 +75,7 @@ void checkDigits(const SceneObjects& objects)
   {
     scene.add(object.worldBounds());
   }
-  const double size = scene.isEmpty() ? 0.0 : scene.extent().maxCoeff();
+  const double size = scene.size();
   throwIf(scene.magnitude() > kFarthest * size, "the scene is ", size, " m large and ",
     scene.magnitude(),
     " m away from the origin: too far for its size, as positions there have too few digits");
