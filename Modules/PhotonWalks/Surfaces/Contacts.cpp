@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/Contacts.h"
 
-#include "Meshes/ShellNesting.h"
 #include "Surfaces/ContactLight.h"
 #include "Trees/LeafQuery.h"
 
