@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkBeamLightSource);

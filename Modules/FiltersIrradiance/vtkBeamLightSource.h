@@ -103,8 +103,7 @@ public:
 protected:
   vtkBeamLightSource();
 
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int BeamFrom = Angles, NumberOfLamps = 1;
   double Flux = 1, BeamAngle = 60, FieldAngle = 0, Exponent = 1;

@@ -5,6 +5,7 @@
 #include "Estimates/AutomaticChoice.h"
 #include "FinalGather/PathLights.h"
 #include "Input/ChosenArrays.h"
+#include "Input/Pose.h"
 #include "Input/SceneAdvice.h"
 #include "Output/OutputWriter.h"
 #include "Output/WalksWriter.h"
@@ -18,19 +19,14 @@
 #include "Time/TimeKeys.h"
 
 #include "vtkDataArray.h"
-#include "vtkDataObject.h"
-#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkLinearTransform.h"
-#include "vtkMatrix4x4.h"
-#include "vtkMatrixToLinearTransform.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTimeStamp.h"
 
@@ -118,9 +114,8 @@ irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
 {
   constexpr vtkIdType mostSpreadPhotons = 1000000, mostRays = 4096;
   const double budget = filter->GetRepairTimeBudget();
-  irradiance::throwIf(!(budget >= 0),
-    "RepairTimeBudget is " + std::to_string(budget) +
-      "; 0 (none) or a positive number of seconds is possible");
+  irradiance::throwIf(!(budget >= 0), "RepairTimeBudget is ", budget,
+    "; 0 (none) or a positive number of seconds is possible");
   const double reflectance = filter->GetDefaultDiffuseReflectance();
   irradiance::throwIf(!(reflectance >= 0 && reflectance <= 1), "DefaultDiffuseReflectance is ",
     reflectance, "; 0 to 1 is possible");
@@ -199,7 +194,7 @@ public:
   {
     const bool isAlone = irradiance::isRequested(
       this->Filter->GetOutputInformation(0), irradiance::UpstreamRequest::Alone);
-    return isAlone ? nullptr : this->Controller.Get();
+    return isAlone ? nullptr : this->Filter->GetController();
   }
 
   /// What this process has.
@@ -231,8 +226,8 @@ public:
   {
     if (this->Filter->GetDistributedInput())
     {
-      irradiance::throwIf(
-        !this->GetSharing() && irradiance::ControllerRanks(this->Controller).areSeveral(),
+      irradiance::throwIf(!this->GetSharing() &&
+          irradiance::ControllerRanks(this->Filter->GetController()).areSeveral(),
         "DistributedInput is on, but the processes share the times of a "
         "vtkRadiantExposureFilter, so each needs the whole scene: set it to off, or that "
         "filter's Controller to null");
@@ -320,7 +315,6 @@ public:
     }
   }
 
-  vtkSmartPointer<vtkMultiProcessController> Controller;
   /// By the dynamic connection to which the user gave it; not null.
   std::map<int, vtkSmartPointer<vtkLinearTransform>> Poses;
   vtkMTimeType Begun = 0; ///< InputTime() when the last execution began, 0 before the first
@@ -383,7 +377,7 @@ private:
 vtkIrradianceFilter::vtkIrradianceFilter()
   : Internals(new vtkInternals(this))
 {
-  this->Internals->Controller = vtkMultiProcessController::GetGlobalController();
+  this->Controller = vtkMultiProcessController::GetGlobalController();
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
   for (const char* name : irradiance::kArrayNames)
@@ -423,18 +417,11 @@ void vtkIrradianceFilter::SetDynamicTransformInterpolator(int i, vtkTransformInt
                 << " by way of a vtkKeyFramedPose, which interpolates poses between keys");
 }
 
-void vtkIrradianceFilter::SetController(vtkMultiProcessController* controller)
-{
-  if (this->Internals->Controller != controller)
-  {
-    this->Internals->Controller = controller;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkIrradianceFilter, Controller, vtkMultiProcessController);
 
 vtkMultiProcessController* vtkIrradianceFilter::GetController()
 {
-  return this->Internals->Controller;
+  return this->Controller;
 }
 
 void vtkIrradianceFilter::RemoveAllDynamicTransforms()
@@ -448,11 +435,7 @@ void vtkIrradianceFilter::RemoveAllDynamicTransforms()
 
 void vtkIrradianceFilter::SetDynamicMatrix(int i, const double elements[16])
 {
-  vtkNew<vtkMatrix4x4> matrix;
-  matrix->DeepCopy(elements);
-  vtkNew<vtkMatrixToLinearTransform> transform;
-  transform->SetInput(matrix);
-  this->SetDynamicTransform(i, transform);
+  this->SetDynamicTransform(i, irradiance::transformOf(elements));
 }
 
 // ParaView hands over numbers one by one.

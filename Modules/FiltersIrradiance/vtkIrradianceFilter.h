@@ -52,6 +52,7 @@
 
 #include "vtkFiltersIrradianceModule.h" // For export macro
 #include "vtkMultiBlockDataSetAlgorithm.h"
+#include "vtkSmartPointer.h" // For the controller
 
 #include <memory> // For the internals
 
@@ -438,12 +439,9 @@ protected:
   vtkExecutive* CreateDefaultExecutive() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestInformation(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
-  int RequestUpdateExtent(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   vtkIdType NumberOfWalks = 1000000;
   int NumberOfRays = 32, NumberOfReplicates = 16, NumberOfSpreadPhotons = 250, Seed = 1;
@@ -455,6 +453,7 @@ protected:
   char* PoseArrayName = nullptr;
   vtkIdType NumberOfOutputWalks = 0, OutputWalksCell = -1;
   int OutputWalksPort = 0, OutputWalksConnection = 0;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
 
 private:
   vtkIrradianceFilter(const vtkIrradianceFilter&) = delete;

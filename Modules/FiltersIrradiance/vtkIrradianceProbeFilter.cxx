@@ -19,7 +19,6 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <cmath>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -35,13 +34,10 @@ vtkDataArray* NormalsOf(vtkDataSet* input)
   return normals ? normals : input->GetPointData()->GetArray("Normals");
 }
 
-[[noreturn]] void Fail(vtkIdType point, const char* what, const irradiance::Vector3& value)
+void FailIf(bool isWrong, vtkIdType point, const char* what, const irradiance::Vector3& value)
 {
-  std::ostringstream message;
-  message << "the sensors, point " << point << ": the " << what << " (" << value[0] << ", "
-          << value[1] << ", " << value[2] << ") is ";
-  message << (value.allFinite() ? "of length 0" : "not finite");
-  throw irradiance::InputError(message.str());
+  irradiance::throwIf(isWrong, "the sensors, point ", point, ": the ", what, " (", value[0], ", ",
+    value[1], ", ", value[2], ") is ", value.allFinite() ? "of length 0" : "not finite");
 }
 
 /// All points. Without normals they receive from all directions. Throws InputError.
@@ -53,29 +49,21 @@ std::vector<irradiance::Sensor> ReadSensors(
     "the sensors have no point normals: with Estimate Nearest a sensor needs the direction from "
     "which it receives light (vtkPolyDataNormals computes normals of surfaces). Estimate "
     "Gathered finds the fluence rate, from all directions, without them");
-  if (normals && normals->GetNumberOfComponents() != 3)
-  {
-    throw irradiance::InputError("the normals of the sensors have " +
-      std::to_string(normals->GetNumberOfComponents()) + " components; three are needed");
-  }
+  const int components = normals ? normals->GetNumberOfComponents() : 3;
+  irradiance::throwIf(components != 3, "the normals of the sensors have ", components,
+    " components; three are needed");
   std::vector<irradiance::Sensor> sensors(static_cast<std::size_t>(input->GetNumberOfPoints()));
   for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
   {
     irradiance::Sensor& sensor = sensors[static_cast<std::size_t>(i)];
     input->GetPoint(i, sensor.position.data());
-    if (!sensor.position.allFinite())
-    {
-      Fail(i, "position", sensor.position);
-    }
+    FailIf(!sensor.position.allFinite(), i, "position", sensor.position);
     sensor.normal.setZero();
     if (normals)
     {
       normals->GetTuple(i, sensor.normal.data());
       const double length = sensor.normal.stableNorm();
-      if (!(length > 0) || !std::isfinite(length))
-      {
-        Fail(i, "normal", sensor.normal);
-      }
+      FailIf(!(length > 0) || !std::isfinite(length), i, "normal", sensor.normal);
       sensor.normal /= length;
     }
   }
@@ -85,9 +73,8 @@ std::vector<irradiance::Sensor> ReadSensors(
 /// No property but 0, which stands for a default, may be other than positive.
 void CheckPositive(const char* name, double value)
 {
-  irradiance::throwIf(!(value >= 0),
-    std::string(name) + " is " + irradiance::text(value) +
-      "; it has to be positive, or 0 for what suits the scene");
+  irradiance::throwIf(
+    !(value >= 0), name, " is ", value, "; it has to be positive, or 0 for what suits the scene");
 }
 
 /// The executive would take the time of the sensors, which may not change with time.

@@ -175,8 +175,7 @@ protected:
   ~vtkIrradianceProbeFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int Estimate = Gathered;
   int NumberOfRays = 64;

@@ -41,9 +41,8 @@ void PassOnLeaf(const std::string& name, vtkDataObject* data, const OptionalPose
   vtkPolyData* output)
 {
   auto* input = vtkPolyData::SafeDownCast(data);
-  irradiance::throwIf(!input,
-    name + " is " + (data ? std::string("a ") + data->GetClassName() : "null") +
-      "; only vtkPolyData can have a pose (vtkGeometryFilter makes one of most data)");
+  irradiance::throwIf(!input, name, " is ", data ? "a " : "null", data ? data->GetClassName() : "",
+    "; only vtkPolyData can have a pose (vtkGeometryFilter makes one of most data)");
   if (!worldFromInput)
   {
     irradiance::copyEmptyArrays(input, output);
@@ -125,13 +124,10 @@ public:
     {
       return std::nullopt;
     }
-    if (this->Filter->GetOutsideOfKeys() == Hold && !std::isnan(time))
-    {
-      return this->Keys.at(std::clamp(time, this->Keys.begin(), this->Keys.end()));
-    }
-    throw irradiance::InputError("the keys are from " + irradiance::text(this->Keys.begin()) +
-      " to " + irradiance::text(this->Keys.end()) + ", and the time " + irradiance::text(time) +
+    irradiance::throwIf(this->Filter->GetOutsideOfKeys() != Hold || std::isnan(time),
+      "the keys are from ", this->Keys.begin(), " to ", this->Keys.end(), ", and the time ", time,
       " is asked for (OutsideOfKeys says what to do then)");
+    return this->Keys.at(std::clamp(time, this->Keys.begin(), this->Keys.end()));
   }
 
   /// Times and matrices, as they were added.
@@ -163,12 +159,8 @@ private:
   {
     const char* const file = this->Filter->GetFileName();
     const bool hasFile = file && *file;
-    if (hasFile && !this->Added.empty())
-    {
-      throw irradiance::InputError(std::string("FileName is ") + file + ", and " +
-        std::to_string(this->Added.size()) +
-        " poses were added; only one of the two is possible (RemoveAllPoses)");
-    }
+    irradiance::throwIf(hasFile && !this->Added.empty(), "FileName is ", file, ", and ",
+      this->Added.size(), " poses were added; only one of the two is possible (RemoveAllPoses)");
     irradiance::SmpExecution execution = irradiance::executionOf(this->Filter);
     const auto report = [&](double progress) {
       if (!execution.reportProgress(progress))
@@ -179,8 +171,8 @@ private:
     std::vector<irradiance::KeyFrame> keys =
       hasFile ? irradiance::readKeyFrames(file, report) : this->AddedKeys(report);
     irradiance::throwIf(keys.size() < 2,
-      (hasFile ? "the file " + std::string(file) + " has " : "there is ") +
-        (keys.empty() ? "no pose" : "one pose alone") + "; two at least are needed");
+      hasFile ? irradiance::joined("the file ", file, " has ") : "there is ",
+      keys.empty() ? "no pose" : "one pose alone", "; two at least are needed");
     return { std::move(keys),
       static_cast<irradiance::KeyInterpolation>(this->Filter->GetInterpolationType()),
       [&] { report(1); } };

@@ -8,7 +8,6 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkFieldData.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"

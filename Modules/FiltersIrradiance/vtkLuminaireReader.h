@@ -79,8 +79,7 @@ protected:
   vtkLuminaireReader();
   ~vtkLuminaireReader() override;
 
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   char* FileName = nullptr;
   double LuminousEfficacy = 0;

@@ -20,7 +20,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <sstream>
 #include <vector>
 
 vtkStandardNewMacro(vtkOutgoingRadianceFilter);
@@ -67,13 +66,8 @@ irradiance::Eye EyeOf(vtkOutgoingRadianceFilter* filter)
               : camera->GetPosition(eye.position.data());
     eye.position = eye.isFar ? irradiance::Vector3(-eye.position) : eye.position;
   }
-  if (!eye.position.allFinite())
-  {
-    std::ostringstream message;
-    message << "the eye is at (" << eye.position[0] << ", " << eye.position[1] << ", "
-            << eye.position[2] << "), which is not finite";
-    throw irradiance::InputError(message.str());
-  }
+  irradiance::throwIf(!eye.position.allFinite(), "the eye is at (", eye.position[0], ", ",
+    eye.position[1], ", ", eye.position[2], "), which is not finite");
   return eye;
 }
 

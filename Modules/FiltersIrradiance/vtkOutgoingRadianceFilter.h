@@ -87,8 +87,7 @@ protected:
   ~vtkOutgoingRadianceFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   double EyePosition[3] = { 0, 0, 0 };
   int NumberOfSpecularSamples = 16;

@@ -59,10 +59,8 @@ protected:
   ~vtkPhotonWalksFilter() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestUpdateExtent(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   vtkIdType NumberOfWalks = 1000;
   vtkIdType Cell = -1;

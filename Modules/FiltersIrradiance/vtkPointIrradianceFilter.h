@@ -86,8 +86,7 @@ protected:
   ~vtkPointIrradianceFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int NumberOfRays = 64;
   double FeatureAngle = 30;

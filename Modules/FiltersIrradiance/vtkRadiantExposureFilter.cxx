@@ -14,14 +14,12 @@
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
-#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
-#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkWeakPointer.h"
 
@@ -82,12 +80,10 @@ Settings CheckedSettings(vtkRadiantExposureFilter* filter, vtkInformation* input
   }
   irradiance::throwIf(
     !(settings.RelativeTolerance > 0 && std::isfinite(settings.RelativeTolerance)),
-    "RelativeTolerance is " + irradiance::text(settings.RelativeTolerance) +
-      "; it has to be positive");
+    "RelativeTolerance is ", settings.RelativeTolerance, "; it has to be positive");
   irradiance::throwIf(settings.MaximumNumberOfTimeSteps < settings.NumberOfTimeSteps,
-    "MaximumNumberOfTimeSteps is " + std::to_string(settings.MaximumNumberOfTimeSteps) +
-      ", but NumberOfTimeSteps, " + std::to_string(settings.NumberOfTimeSteps) +
-      ", is the least for error control");
+    "MaximumNumberOfTimeSteps is ", settings.MaximumNumberOfTimeSteps, ", but NumberOfTimeSteps, ",
+    settings.NumberOfTimeSteps, ", is the least for error control");
   return settings;
 }
 
@@ -115,8 +111,7 @@ void AddTimes(const irradiance::ExposureIntegral& integral, vtkFieldData* fields
   addNumber("StartTime", times.front());
   addNumber("EndTime", times.back());
   irradiance::addTuple<vtkIdTypeArray>(fields, "NumberOfTimeSteps", { count - 1 });
-  const auto all = irradiance::addArray<vtkDoubleArray>(fields, "IntegrationTimes", 1, count);
-  std::copy(times.begin(), times.end(), all->GetPointer(0));
+  irradiance::addColumn(fields, "IntegrationTimes", times);
   if (!std::isnan(integral.relativeError()))
   {
     addNumber("TimeIntegrationError", integral.relativeError());
@@ -208,10 +203,9 @@ public:
   void Forget() { this->Integral = nullptr; }
   irradiance::ControllerRanks GetRanks() const
   {
-    return irradiance::ControllerRanks(this->Controller);
+    return irradiance::ControllerRanks(this->Filter->GetController());
   }
 
-  vtkSmartPointer<vtkMultiProcessController> Controller;
   std::string Error; ///< found before the data were asked for
 
 private:
@@ -280,7 +274,7 @@ private:
     }
     this->Input()->Set(Pipeline::UPDATE_TIME_STEP(), *time);
     irradiance::throwIf(!this->Producer->Update(this->Filter->GetInputConnection(0, 0)->GetIndex()),
-      "the input could not be computed at time " + irradiance::text(*time) + ", see its own error");
+      "the input could not be computed at time ", *time, ", see its own error");
   }
 
   void Take(irradiance::ControllerRanks& ranks)
@@ -368,18 +362,11 @@ vtkExecutive* vtkRadiantExposureFilter::CreateDefaultExecutive()
   });
 }
 
-void vtkRadiantExposureFilter::SetController(vtkMultiProcessController* controller)
-{
-  if (this->Internals->Controller != controller)
-  {
-    this->Internals->Controller = controller;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkRadiantExposureFilter, Controller, vtkMultiProcessController);
 
 vtkMultiProcessController* vtkRadiantExposureFilter::GetController()
 {
-  return this->Internals->Controller;
+  return this->Controller;
 }
 
 int vtkRadiantExposureFilter::FillInputPortInformation(int, vtkInformation* info)

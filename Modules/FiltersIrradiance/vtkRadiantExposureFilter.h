@@ -56,6 +56,7 @@
 
 #include "vtkFiltersIrradianceModule.h" // For export macro
 #include "vtkPassInputTypeAlgorithm.h"
+#include "vtkSmartPointer.h" // For the controller
 
 #include <memory> // For the internals
 
@@ -162,12 +163,9 @@ protected:
 
   vtkExecutive* CreateDefaultExecutive() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestInformation(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
-  int RequestUpdateExtent(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   double StartTime;
   double EndTime;
@@ -176,6 +174,7 @@ protected:
   double RelativeTolerance = 0.01;
   int MaximumNumberOfTimeSteps = 1000;
   int NumberOfSpreadPhotons = 0;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
 
 private:
   vtkRadiantExposureFilter(const vtkRadiantExposureFilter&) = delete;

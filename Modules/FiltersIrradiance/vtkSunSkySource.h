@@ -187,10 +187,8 @@ protected:
   vtkSunSkySource();
   ~vtkSunSkySource() override;
 
-  int RequestInformation(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* output) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int SkyModel = Perez, CIEType = 12, SunFrom = Angles;
   double DirectNormalIrradiance = 0, DiffuseHorizontalIrradiance = 100;

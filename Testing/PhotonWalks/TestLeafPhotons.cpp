@@ -120,7 +120,7 @@ TEST(LeafPhotons, OnlyTouchedLeavesChange)
   objects.dynamicObjects[0].worldFromObject.translation[0] += 0.01;
   engine.update(objects, Shoot(3000).kept());
   const PhotonChanges changes = changesBetween(before, photonsOf(onlySet(engine).history()));
-  leaves.apply(objects, onlySet(engine).history(), changes, execution);
+  leaves.apply(objects, { &onlySet(engine).history() }, changes, execution);
   std::set<SegmentRef> changed;
   for (const auto& photons : { changes.gone, changes.arrived })
   {
@@ -160,14 +160,14 @@ TEST(LeafPhotons, BlocksComeAndGo)
   std::copy_if(all.begin(), all.end(), std::back_inserter(first), [&](const Photon& photon) {
     return photon.reference.walk < onlySet(engine).plan().firstWalkOf(2);
   });
-  leaves.apply(objects, history, changesBetween(all, first), execution);
+  leaves.apply(objects, { &history }, changesBetween(all, first), execution);
   EXPECT_EQ(contentsOf(leaves, objects.size()), contentsOf(half, objects.size()));
-  leaves.apply(objects, history, { first, {} }, execution);
+  leaves.apply(objects, { &history }, { first, {} }, execution);
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
     EXPECT_TRUE(leaves.isEmpty(object));
   }
-  EXPECT_THROW(leaves.apply(objects, history, { first, {} }, execution), std::logic_error);
+  EXPECT_THROW(leaves.apply(objects, { &history }, { first, {} }, execution), std::logic_error);
 }
 
 TEST(LeafPhotons, CanBeInterrupted)

@@ -125,7 +125,7 @@ struct Prepared
 {
   Prepared(const SceneObjects& objects, const WalkHistory& history, const LeafPhotons& leaves)
     : surfaces(objects)
-    , photons(leaves, surfaces, objects, history)
+    , photons(leaves, surfaces, objects, { &history })
     , all(placed(objects, history))
   {
   }
@@ -206,7 +206,7 @@ TEST(NearestPhotons, EqualASearchOfAllWhileThingsMove)
     }
     else
     {
-      leaves.apply(scene.objects(), history, changesBetween(before, after), execution);
+      leaves.apply(scene.objects(), { &history }, changesBetween(before, after), execution);
     }
     before = std::move(after);
     ASSERT_NO_FATAL_FAILURE(expectNearest({ scene.objects(), history, leaves },

@@ -3,7 +3,6 @@
 
 #include "Progress/InputError.h"
 
-#include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -17,19 +16,9 @@ namespace
 vtkDataSet* dataSetOf(const std::string& name, vtkDataObject* data)
 {
   vtkDataSet* dataSet = vtkDataSet::SafeDownCast(data);
-  if (data && !dataSet)
-  {
-    throw InputError(name + " of the input is a " + data->GetClassName() +
-      "; only data sets, which have cells, can be exposed");
-  }
+  throwIf(data && !dataSet, name, " of the input is a ", data ? data->GetClassName() : "",
+    "; only data sets, which have cells, can be exposed");
   return dataSet;
-}
-
-vtkSmartPointer<vtkDataSet> shallowCopyOf(vtkDataSet* data)
-{
-  auto copy = vtk::TakeSmartPointer(data->NewInstance());
-  copy->ShallowCopy(data);
-  return copy;
 }
 
 }
@@ -85,10 +74,7 @@ void copyLeaves(vtkDataObjectTree* tree, vtkDataObjectTree* copy)
 {
   copy->ShallowCopy(tree);
   forEachLeaf(copy, [copy](vtkDataObjectTreeIterator* leaf) {
-    vtkDataObject* data = leaf->GetCurrentDataObject();
-    const auto clone = vtk::TakeSmartPointer(data->NewInstance());
-    clone->ShallowCopy(data);
-    copy->SetDataSet(leaf, clone);
+    copy->SetDataSet(leaf, shallowCopyOf(leaf->GetCurrentDataObject()));
   });
 }
 

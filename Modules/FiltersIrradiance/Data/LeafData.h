@@ -33,6 +33,15 @@ void forEachLeaf(vtkDataObjectTree* tree, const VisitLeaf& visit, bool withEmpty
 /// All leaves of data, in order, with the empty ones. Throws InputError if one is no vtkDataSet.
 std::vector<LeafData> leavesOf(vtkDataObject* data);
 
+/// A copy that shares the cells and arrays.
+template <class Data>
+vtkSmartPointer<Data> shallowCopyOf(Data* data)
+{
+  auto copy = vtk::TakeSmartPointer(data->NewInstance());
+  copy->ShallowCopy(data);
+  return copy;
+}
+
 /// A copy that shares the arrays, but neither leaves nor structure: it stays as it is when the
 /// pipeline fills the original again.
 vtkSmartPointer<vtkDataObject> snapshotOf(vtkDataObject* data);

@@ -6,7 +6,6 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkCellData.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"

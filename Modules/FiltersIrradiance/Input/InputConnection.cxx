@@ -11,7 +11,6 @@
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <numeric>
@@ -43,10 +42,9 @@ InputConnection connectionOf(vtkAlgorithm* filter, int port, int index, vtkDataO
   connection.data = data;
   const auto addPart = [&](const std::string& name, vtkDataObject* leaf) {
     vtkPolyData* polyData = vtkPolyData::SafeDownCast(leaf);
-    throwIf(!polyData,
-      name + " is " + (leaf ? std::string("a ") + leaf->GetClassName() : "null") +
-        "; only vtkPolyData can be computed (vtkGeometryFilter makes one of most data, in ParaView "
-        "the filter Extract Surface)");
+    throwIf(!polyData, name, " is ", leaf ? "a " : "null", leaf ? leaf->GetClassName() : "",
+      "; only vtkPolyData can be computed (vtkGeometryFilter makes one of most data, in ParaView "
+      "the filter Extract Surface)");
     InputPart part;
     part.name = name;
     part.polyData = part.piece = polyData;
@@ -69,23 +67,19 @@ InputConnection connectionOf(vtkAlgorithm* filter, int port, int index, vtkDataO
 /// Moves each part by this array of its own first.
 void addInnerPoses(InputConnection& connection, const char* arrayName)
 {
-  const InputPart* with = nullptr;
-  const InputPart* without = nullptr;
+  std::string with, without; // names of parts
   for (InputPart& part : connection.parts)
   {
     vtkFieldData* fields = part.polyData->GetFieldData();
     const bool hasPose = fields->GetAbstractArray(arrayName) != nullptr;
     part.innerPose = arrayName;
-    with = hasPose ? &part : with;
-    without = hasPose || part.polyData->GetNumberOfCells() == 0 ? without : &part;
+    with = hasPose ? part.name : with;
+    without = hasPose || part.polyData->GetNumberOfCells() == 0 ? without : part.name;
     part.worldFromPart =
       checkedPose(part.name, composed(part.worldFromPart, poseOf(part.name, fields, arrayName)));
   }
-  if (with && without)
-  {
-    throw InputError(without->name + " has no field array " + arrayName + ", but " + with->name +
-      " has one (vtkGLTFReader writes it only for the first primitive of a mesh)");
-  }
+  throwIf(!with.empty() && !without.empty(), without, " has no field array ", arrayName, ", but ",
+    with, " has one (vtkGLTFReader writes it only for the first primitive of a mesh)");
 }
 
 }

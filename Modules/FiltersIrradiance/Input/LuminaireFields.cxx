@@ -7,7 +7,6 @@
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkFieldData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>

@@ -7,14 +7,12 @@
 #include "Progress/InputError.h"
 
 #include "vtkCellArray.h"
-#include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <optional>
-#include <sstream>
 
 namespace irradiance
 {
@@ -266,11 +264,8 @@ struct PolyDataConverter
       input->GetPoint(ids[i], point.data());
       if (!point.allFinite() || !(point.cwiseAbs().maxCoeff() <= kMostDistant))
       {
-        std::ostringstream message;
-        message << "point " << ids[i]
-                << (point.allFinite() ? " is out of range (" : " is not finite (")
-                << point.transpose() << ")";
-        failIf(true, message.str());
+        failIf(true, "point ", ids[i],
+          point.allFinite() ? " is out of range (" : " is not finite (", point.transpose(), ")");
       }
     }
   }

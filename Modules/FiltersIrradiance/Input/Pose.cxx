@@ -5,15 +5,14 @@
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
-#include "vtkLinearTransform.h"
 #include "vtkMatrix4x4.h"
+#include "vtkMatrixToLinearTransform.h"
 #include "vtkNew.h"
 #include "vtkTransform.h"
 
 #include <Eigen/SVD>
 
 #include <algorithm>
-#include <sstream>
 
 namespace irradiance
 {
@@ -26,13 +25,10 @@ using Matrix4 = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
 Matrix4 matrixOf(const std::string& where, vtkAbstractArray* anyArray)
 {
   vtkDataArray* array = vtkDataArray::SafeDownCast(anyArray);
-  throwIf(!array,
-    where + ": the field array " + anyArray->GetName() + " is a " + anyArray->GetClassName() +
-      ", not numbers");
-  const vtkIdType values = array->GetNumberOfValues();
-  throwIf(values != 16,
-    where + ": the field array " + anyArray->GetName() + " has " + std::to_string(values) +
-      " values, not 16");
+  throwIf(!array, where, ": the field array ", anyArray->GetName(), " is a ",
+    anyArray->GetClassName(), ", not numbers");
+  throwIf(array->GetNumberOfValues() != 16, where, ": the field array ", anyArray->GetName(),
+    " has ", array->GetNumberOfValues(), " values, not 16");
   Matrix4 matrix;
   const int components = array->GetNumberOfComponents();
   for (int i = 0; i < 16; ++i)
@@ -42,34 +38,19 @@ Matrix4 matrixOf(const std::string& where, vtkAbstractArray* anyArray)
   return matrix;
 }
 
-[[noreturn]] void fail(const std::string& where, const Matrix4& matrix, const std::string& what)
-{
-  std::ostringstream message;
-  message << where << ": the transform [" << matrix << "] " << what;
-  throw InputError(message.str());
-}
-
 AffineMap mapOf(const std::string& where, const Matrix4& matrix)
 {
   // Areas scale with its square, and squared normals with its fourth power: all must stay above 0.
   constexpr double kSmallestScale = 1e-30;
-  if (!matrix.allFinite())
-  {
-    fail(where, matrix, "is not finite");
-  }
-  if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1))
-  {
-    fail(where, matrix, "is not affine: its last row is not 0 0 0 1");
-  }
+  const auto failIf = [&](bool isWrong, const auto&... what) {
+    throwIf(isWrong, where, ": the transform [", matrix, "] ", what...);
+  };
+  failIf(!matrix.allFinite(), "is not finite");
+  failIf(
+    matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1), "is not affine: its last row is not 0 0 0 1");
   const Eigen::JacobiSVD<Matrix3> svd(Matrix3(matrix.topLeftCorner<3, 3>()));
-  if (!(svd.singularValues()[2] > 1e-14 * svd.singularValues()[0]))
-  {
-    fail(where, matrix, "is singular");
-  }
-  if (!(svd.singularValues()[2] >= kSmallestScale))
-  {
-    fail(where, matrix, "shrinks to less than " + text(kSmallestScale));
-  }
+  failIf(!(svd.singularValues()[2] > 1e-14 * svd.singularValues()[0]), "is singular");
+  failIf(!(svd.singularValues()[2] >= kSmallestScale), "shrinks to less than ", kSmallestScale);
   return { matrix.topLeftCorner<3, 3>(), matrix.topRightCorner<3, 1>() };
 }
 
@@ -113,6 +94,15 @@ bool hasFieldPose(vtkFieldData* fields)
   }
   const bool isMatrix = vtkDataArray::SafeDownCast(array) && array->GetNumberOfValues() == 16;
   return !isMatrix || matrixOf("", array) != Matrix4::Identity();
+}
+
+vtkSmartPointer<vtkLinearTransform> transformOf(const double elements[16])
+{
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->DeepCopy(elements);
+  auto transform = vtkSmartPointer<vtkMatrixToLinearTransform>::New();
+  transform->SetInput(matrix);
+  return transform;
 }
 
 std::array<double, 16> matrixOf(const AffineMap& map)

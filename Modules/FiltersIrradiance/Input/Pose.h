@@ -4,6 +4,8 @@
 
 #include "Geometry/Vector.h"
 
+#include "vtkSmartPointer.h"
+
 #include <array>
 #include <string>
 
@@ -33,6 +35,9 @@ AffineMap poseOf(
 
 /// Whether the field data hold anything but the identity as a pose.
 bool hasFieldPose(vtkFieldData* fields);
+
+/// The transform with these elements, row by row; with the bits of all of them.
+vtkSmartPointer<vtkLinearTransform> transformOf(const double elements[16]);
 
 /// The matrix of a map, row by row.
 std::array<double, 16> matrixOf(const AffineMap& map);

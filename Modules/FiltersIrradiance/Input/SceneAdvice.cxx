@@ -21,11 +21,6 @@ constexpr double kLargeScene = 100, kThinLight = 1e-3;
 /// With fewer walks it says little that nothing was hit.
 constexpr std::uint32_t kFewWalks = 1000;
 
-double sizeOf(const Box& box)
-{
-  return box.isEmpty() ? 0.0 : box.extent().maxCoeff();
-}
-
 /// Five digits are enough for a message.
 std::string rounded(double value)
 {
@@ -68,13 +63,9 @@ public:
     , cancelPoint_(cancelPoint)
     , covered_(findCoveredLamps(engine, cancelPoint))
   {
-    Box all;
-    for (std::uint32_t object = 0; object < objects_.size(); ++object)
-    {
-      all.add(objects_[object].worldBounds());
-    }
     // Small closed rooms, as most are, pay no more than this.
-    if (escaped() > 0 || sizeOf(all) > kLargePart || !covered_.empty() || isUnlit())
+    if (escaped() > 0 || objects_.worldBounds().size() > kLargePart || !covered_.empty() ||
+      isUnlit())
     {
       findParts(inputs);
     }
@@ -280,12 +271,11 @@ private:
     for (std::size_t i = statics; hasSurfaces && i < parts_.size(); ++i)
     {
       const Box part = parts_[i].bounds();
-      const double size = sizeOf(part);
-      if (size > kLargePart && size > kMuchLarger * sizeOf(all) &&
-        !part.intersection(all).isEmpty())
+      const double size = part.size();
+      if (size > kLargePart && size > kMuchLarger * all.size() && !part.intersection(all).isEmpty())
       {
         return *parts_[i].name + " is " + rounded(size) + " m large, in a static scene of " +
-          rounded(sizeOf(all)) +
+          rounded(all.size()) +
           " m: if its points are in millimetres, scale it by 0.001 in its transform";
       }
     }
@@ -301,9 +291,9 @@ private:
     for (const AdvisedPart& part : parts_)
     {
       scene.add(part.bounds());
-      largest = largest && sizeOf(largest->bounds()) >= sizeOf(part.bounds()) ? largest : &part;
+      largest = largest && largest->bounds().size() >= part.bounds().size() ? largest : &part;
     }
-    if (!(sizeOf(scene) > kLargeScene))
+    if (!(scene.size() > kLargeScene))
     {
       return {};
     }
@@ -315,8 +305,8 @@ private:
     {
       return {};
     }
-    return "the scene is " + rounded(sizeOf(scene)) + " m large, most of it " + *largest->name +
-      " with " + rounded(sizeOf(largest->bounds())) + " m, so that its " + rounded(emitted) +
+    return "the scene is " + rounded(scene.size()) + " m large, most of it " + *largest->name +
+      " with " + rounded(largest->bounds().size()) + " m, so that its " + rounded(emitted) +
       " W are " + rounded(emitted / area) +
       " W/m2 on the average of its surfaces: if points are in millimetres, scale them by 0.001 "
       "(vtkTransformPolyDataFilter)";

@@ -6,7 +6,6 @@
 #include "Progress/InputError.h"
 
 #include "vtkDataArray.h"
-#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <utility>
@@ -20,11 +19,8 @@ namespace
 vtkDataArray* asNumbers(vtkAbstractArray* array, const std::string& where)
 {
   vtkDataArray* numbers = vtkDataArray::SafeDownCast(array);
-  if (array && !numbers)
-  {
-    throw InputError(where + ": the array " + array->GetName() + " is a " + array->GetClassName() +
-      ", not numbers");
-  }
+  throwIf(array && !numbers, where, ": the array ", array ? array->GetName() : "", " is a ",
+    array ? array->GetClassName() : "", ", not numbers");
   return numbers;
 }
 
@@ -52,8 +48,8 @@ void checkReach(const std::string& where, const AffineMap& map, const Box& box)
     (map.linear.cwiseAbs() * box.lower.cwiseAbs().cwiseMax(box.upper.cwiseAbs()) +
       map.translation.cwiseAbs())
       .maxCoeff();
-  throwIf(!(reach <= kMostDistant),
-    where + ": the transform takes points out of range, to " + text(reach) + " m");
+  throwIf(
+    !(reach <= kMostDistant), where, ": the transform takes points out of range, to ", reach, " m");
 }
 
 /// Nothing may stand where the light of a sky does not reach it.
@@ -79,10 +75,10 @@ void checkDigits(const SceneObjects& objects)
   {
     scene.add(object.worldBounds());
   }
-  const double size = scene.isEmpty() ? 0.0 : scene.extent().maxCoeff();
-  throwIf(scene.magnitude() > kFarthest * size,
-    "the scene is " + text(size) + " m large and " + text(scene.magnitude()) +
-      " m away from the origin: too far for its size, as positions there have too few digits");
+  const double size = scene.size();
+  throwIf(scene.magnitude() > kFarthest * size, "the scene is ", size, " m large and ",
+    scene.magnitude(),
+    " m away from the origin: too far for its size, as positions there have too few digits");
 }
 
 }
@@ -192,8 +188,8 @@ void SceneReader::adoptSky(const std::vector<const InputPart*>& staticParts)
   {
     if (hasSky(part->polyData))
     {
-      throwIf(found != nullptr,
-        part->name + ": has a sky, as " + (found ? found->name : "") + " has; there can be one");
+      throwIf(found != nullptr, part->name, ": has a sky, as ", found ? found->name : "",
+        " has; there can be one");
       found = part;
     }
   }

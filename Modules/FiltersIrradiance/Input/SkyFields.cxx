@@ -10,7 +10,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 

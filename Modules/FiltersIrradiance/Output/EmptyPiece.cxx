@@ -5,7 +5,6 @@
 #include "Data/LeafData.h"
 
 #include "vtkCellData.h"
-#include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 

@@ -8,14 +8,10 @@
 #include "Output/EmptyPiece.h"
 
 #include "vtkCellData.h"
-#include "vtkCompositeDataSet.h"
-#include "vtkDataObjectTree.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
-#include "vtkMatrix4x4.h"
-#include "vtkMatrixToLinearTransform.h"
+#include "vtkLinearTransform.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiPieceDataSet.h"
 #include "vtkNew.h"
@@ -31,15 +27,6 @@ namespace irradiance
 
 namespace
 {
-
-vtkSmartPointer<vtkLinearTransform> toVtk(const AffineMap& map)
-{
-  vtkNew<vtkMatrix4x4> matrix;
-  matrix->DeepCopy(matrixOf(map).data());
-  auto transform = vtkSmartPointer<vtkMatrixToLinearTransform>::New();
-  transform->SetInput(matrix);
-  return transform;
-}
 
 void transformNormals(vtkLinearTransform* transform, vtkDataSetAttributes* attributes)
 {
@@ -64,7 +51,7 @@ void movePoints(const AffineMap& worldFromObject, vtkPolyData* polyData)
   {
     return;
   }
-  const auto transform = toVtk(worldFromObject);
+  const auto transform = transformOf(matrixOf(worldFromObject).data());
   vtkNew<vtkPoints> points;
   points->SetDataType(isFloating ? model->GetDataType() : VTK_DOUBLE);
   transform->TransformPoints(model, points);

@@ -21,7 +21,6 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
-#include <string>
 
 namespace irradiance
 {

@@ -6,10 +6,7 @@
 
 #include "vtkCharArray.h"
 #include "vtkCommunicator.h"
-#include "vtkDataArray.h"
-#include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkFieldData.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPointSet.h"

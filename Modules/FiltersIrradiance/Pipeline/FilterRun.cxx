@@ -7,7 +7,6 @@
 #include "vtkAlgorithmOutput.h"
 #include "vtkCompositeDataPipeline.h"
 #include "vtkDataObject.h"
-#include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkInformationRequestKey.h"
@@ -83,19 +82,17 @@ void setInputTypes(vtkInformation* port, const char* composite, const char* othe
 
 std::uint32_t checked(const char* name, vtkIdType value, vtkIdType low, vtkIdType high)
 {
-  throwIf(value < low || value > high,
-    std::string(name) + " is " + std::to_string(value) + "; " + std::to_string(low) + " to " +
-      std::to_string(high) + " are possible");
+  throwIf(
+    value < low || value > high, name, " is ", value, "; ", low, " to ", high, " are possible");
   return static_cast<std::uint32_t>(value);
 }
 
 void checkWithin(const char* name, double value, double low, double high)
 {
-  throwIf(!(value >= low && value <= high),
-    std::string(name) + " is " + text(value) + "; it has to be " +
-      (high < VTK_DOUBLE_MAX ? text(low) + " to " + text(high)
-          : low == 0         ? "0 or more"
-                             : "finite"));
+  throwIf(!(value >= low && value <= high), name, " is ", value, "; it has to be ",
+    high < VTK_DOUBLE_MAX ? joined(low, " to ", high)
+      : low == 0          ? "0 or more"
+                          : "finite");
 }
 
 vtkMTimeType upstreamTime(vtkAlgorithm* filter, int port, int connection)

@@ -7,17 +7,14 @@
 #include "Progress/InputError.h"
 
 #include "vtkDataArray.h"
-#include "vtkDataObjectTree.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkObject.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <string>
 #include <utility>
 
 namespace irradiance
@@ -92,30 +89,24 @@ PhotonSource::PhotonSource(vtkDataObject* data, const char* what, bool readsPhot
   : what_(what)
 {
   EngineReference* reference = referenceIn(data);
-  throwIf(!reference,
-    std::string(what) +
-      " is no output of vtkIrradianceFilter, or has lost its photons (files do not keep them): "
-      "connect the filter, or a shallow copy of its whole output");
+  throwIf(!reference, what,
+    " is no output of vtkIrradianceFilter, or has lost its photons (files do not keep them): "
+    "connect the filter, or a shallow copy of its whole output");
   engine_ = reference->engine;
   pieces_ = reference->pieces;
-  throwIf(!engine_->isValid() || engine_->state() != reference->state,
-    std::string(what) +
-      " is out of date: its vtkIrradianceFilter has executed since. Take its new output");
-  throwIf(readsPhotons && !engine_->storesWalks(),
-    std::string(what) +
-      " was computed without keeping the photons, as nothing can move: connect the "
-      "vtkIrradianceFilter itself, which then keeps them");
+  throwIf(!engine_->isValid() || engine_->state() != reference->state, what,
+    " is out of date: its vtkIrradianceFilter has executed since. Take its new output");
+  throwIf(readsPhotons && !engine_->storesWalks(), what,
+    " was computed without keeping the photons, as nothing can move: connect the "
+    "vtkIrradianceFilter itself, which then keeps them");
 }
 
 void PhotonSource::forEachPart(vtkMultiBlockDataSet* data, const Visit& visit) const
 {
   const auto check = [&](bool isAlike) {
-    if (!isAlike)
-    {
-      throw InputError(std::string(what_) +
-        " is a part of an output of vtkIrradianceFilter, or has other cells: "
-        "the whole output is needed");
-    }
+    throwIf(!isAlike, what_,
+      " is a part of an output of vtkIrradianceFilter, or has other cells: the whole output is "
+      "needed");
   };
   check(data->GetNumberOfBlocks() == 2);
   std::vector<vtkPolyData*> parts = polyDataOf(data->GetBlock(0));

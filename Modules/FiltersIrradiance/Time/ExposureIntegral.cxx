@@ -14,7 +14,6 @@
 #include "vtkCellData.h"
 #include "vtkCellSizeFilter.h"
 #include "vtkDataArray.h"
-#include "vtkDataSet.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkTriangle.h"

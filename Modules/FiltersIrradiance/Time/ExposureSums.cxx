@@ -8,9 +8,7 @@
 #include "Progress/InputError.h"
 
 #include "vtkCellData.h"
-#include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -283,8 +281,7 @@ vtkSmartPointer<vtkDataSet> written(const Leaf& leaf, vtkDataSet* last)
   {
     return nullptr;
   }
-  auto data = vtk::TakeSmartPointer(source->NewInstance());
-  data->ShallowCopy(source);
+  auto data = shallowCopyOf(source);
   data->GetInformation()->Remove(vtkDataObject::DATA_TIME_STEP());
   // A leaf that never had cells has arrays as the others, of no length.
   for (const Side& side : leaf.geometry ? leaf.sides : sidesOf(leaf.name, source))
@@ -341,8 +338,7 @@ void ExposureSums::add(const TimedData& input, double weight)
     {
       addSide(leaf.name, side, cells, time, weight);
     }
-    leaf.geometry = vtk::TakeSmartPointer(cells->NewInstance());
-    leaf.geometry->ShallowCopy(cells);
+    leaf.geometry = shallowCopyOf(cells);
     for (const Side& side : leaf.sides)
     {
       removeInput(side, leaf.geometry);

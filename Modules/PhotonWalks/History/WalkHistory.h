@@ -6,10 +6,10 @@
 #include "Sampling/WalkPlan.h"
 #include "Scene/TriangleNumbers.h"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace irradiance
@@ -194,39 +194,15 @@ private:
   std::vector<std::unordered_map<std::uint32_t, HiddenHit>> hidden_; ///< by block, then by slot
 };
 
-/// The histories of all sets of walks, ordered by the numbers of their walks.
-class WalkHistories
+/// The histories of all sets of walks, at least one, ordered by the numbers of their walks.
+using WalkHistories = std::vector<const WalkHistory*>;
+
+/// The one that stores a walk.
+inline const WalkHistory& historyOf(const WalkHistories& all, std::uint32_t walk)
 {
-public:
-  /// At least one; they must outlive it.
-  explicit WalkHistories(std::vector<const WalkHistory*> all)
-    : all_(std::move(all))
-  {
-  }
-  /// Of a single set.
-  WalkHistories(const WalkHistory& only)
-    : all_{ &only }
-  {
-  }
-
-  const std::vector<const WalkHistory*>& all() const { return all_; }
-  /// The history that stores a walk.
-  const WalkHistory& of(std::uint32_t walk) const
-  {
-    std::size_t i = 0;
-    while (i + 1 < all_.size() && walk >= all_[i]->plan().endWalk())
-    {
-      ++i;
-    }
-    return *all_[i];
-  }
-  Power power(const SegmentRef& segment) const { return of(segment.walk).power(segment); }
-  /// The hit without its distance.
-  Hit hit(const SegmentRef& segment) const { return of(segment.walk).hit(segment); }
-
-private:
-  std::vector<const WalkHistory*> all_;
-};
+  return **std::find_if(all.begin(), all.end() - 1,
+    [&](const WalkHistory* history) { return walk < history->plan().endWalk(); });
+}
 
 }
 

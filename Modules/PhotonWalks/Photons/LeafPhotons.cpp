@@ -240,7 +240,7 @@ void LeafPhotons::apply(const SceneObjects& objects, const WalkHistories& histor
   Binding binding(trees_);
   if (std::find(isAnew.begin(), isAnew.end(), true) != isAnew.end())
   {
-    for (const WalkHistory* history : histories.all())
+    for (const WalkHistory* history : histories)
     {
       binding.addBlocks(*history, 0, history->size(), isNew);
     }

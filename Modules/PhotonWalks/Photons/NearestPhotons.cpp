@@ -20,21 +20,6 @@ constexpr float kWider = 1 + 0x1p-18F;
 /// Searches for more photons than this take memory as they go.
 constexpr std::size_t kUsualCount = 1024;
 
-Box boundsOf(const SceneObjects& objects)
-{
-  Box all;
-  for (std::uint32_t i = 0; i < objects.size(); ++i)
-  {
-    all.add(objects[i].worldBounds());
-  }
-  return all;
-}
-
-double sizeOf(const Box& box)
-{
-  return box.isEmpty() ? 0.0 : box.extent().maxCoeff();
-}
-
 }
 
 /// One search. Distances are in search units (see PlacedTree) unless they say otherwise.
@@ -230,13 +215,7 @@ private:
   /// Drops candidates that are certainly not among the nearest.
   void tighten()
   {
-    if (candidates_.size() >= count_)
-    {
-      const auto last = candidates_.begin() + static_cast<std::ptrdiff_t>(count_ - 1);
-      std::nth_element(candidates_.begin(), last, candidates_.end(),
-        [](const Candidate& a, const Candidate& b) { return a.upper < b.upper; });
-      limit_ = std::min(limit_, last->upper);
-    }
+    limit_ = std::min(limit_, lastOf<&Candidate::upper>());
     candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(),
                         [this](const Candidate& c) { return c.lower > limit_; }),
       candidates_.end());
@@ -280,14 +259,21 @@ private:
   {
     const float within =
       static_cast<float>(maximumRadius_ * owner_.searchUnitsPerWorldUnit_) / kWider;
+    return std::min(within, lastOf<&Candidate::lower>());
+  }
+
+  /// The bound that as many candidates do not exceed as are asked for; infinite if there are fewer.
+  template <float Candidate::*kBound>
+  float lastOf()
+  {
     if (candidates_.size() < count_)
     {
-      return within;
+      return kInfinite;
     }
     const auto last = candidates_.begin() + static_cast<std::ptrdiff_t>(count_ - 1);
     std::nth_element(candidates_.begin(), last, candidates_.end(),
-      [](const Candidate& a, const Candidate& b) { return a.lower < b.lower; });
-    return std::min(within, last->lower);
+      [](const Candidate& a, const Candidate& b) { return a.*kBound < b.*kBound; });
+    return (*last).*kBound;
   }
 
   const NearestPhotons& owner_;
@@ -309,7 +295,7 @@ NearestPhotons::NearestPhotons(const LeafPhotons& leaves, const Surfaces& surfac
   , surfaces_(surfaces)
   , objects_(objects)
   , histories_(histories)
-  , bounds_(boundsOf(objects))
+  , bounds_(objects.worldBounds())
   , searchUnitsPerWorldUnit_(UnitFrame(bounds_).scale)
 {
   trees_.reserve(objects.size());
@@ -354,7 +340,7 @@ NearestEstimate nearestEstimate(
     static_cast<std::uint32_t>(near.photons.size()) };
   for (std::size_t i = 0; i < counted; ++i)
   {
-    estimate.power += photons.histories().power(near.photons[i]);
+    estimate.power += photons.power(near.photons[i]);
   }
   if (!estimate.power.isZero())
   {
@@ -372,14 +358,14 @@ double usualRadius(const NearestPhotons& photons, std::uint32_t count)
     area = std::accumulate(areas.begin(), areas.end(), area);
   }
   const auto all = static_cast<double>(photons.numberOfPhotons());
-  return std::min(4 * std::sqrt(count * area / all / kPi), 0.25 * sizeOf(photons.bounds()));
+  return std::min(4 * std::sqrt(count * area / all / kPi), 0.25 * photons.bounds().size());
 }
 
 /// Points of a ball stray from its triangles by a hundredth of its size if its circles have 16
 /// sides, and it is smaller than the scene. A working plane in a hall of 100 m is farther away.
 double usualDistance(const NearestPhotons& photons)
 {
-  return sizeOf(photons.bounds()) / 128;
+  return photons.bounds().size() / 128;
 }
 
 }

@@ -51,14 +51,17 @@ public:
   /// By which distances are compared: in double, from the point given by the stored weights.
   double squaredDistance(const Sensor& sensor, const SegmentRef& photon) const
   {
-    const Hit hit = histories_.hit(photon);
+    const Hit hit = historyOf(histories_, photon.walk).hit(photon);
     const SceneObject& object = objects_[hit.id.object];
     return sensor.squaredDistance(
       object.worldFromObject(modelPoint(object.body->mesh(), hit.id.triangle, hit.weights)));
   }
 
   const SceneObjects& objects() const { return objects_; }
-  const WalkHistories& histories() const { return histories_; }
+  Power power(const SegmentRef& photon) const
+  {
+    return historyOf(histories_, photon.walk).power(photon);
+  }
   std::size_t numberOfPhotons() const { return leaves_.size(); }
   /// Of the scene.
   const Box& bounds() const { return bounds_; }

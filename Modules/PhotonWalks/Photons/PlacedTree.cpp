@@ -33,7 +33,7 @@ PlacedTree::PlacedTree(const SceneObject& object, double searchUnitsPerWorldUnit
   , bounds_(object.worldBounds())
   , searchUnitsPerWorldUnit_(searchUnitsPerWorldUnit)
 {
-  size_ = object.isEmpty() ? 0.0 : bounds_.extent().maxCoeff();
+  size_ = bounds_.size();
   bounds_.inflate(
     0x1p-40 * (bounds_.magnitude() + worldFromObject_.translation.cwiseAbs().maxCoeff()));
   int exponent;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The loops of FrontLoops.h, compiled once for each instruction set. `Lanes`: its way to transpose
-// rows and to pack what a mask chooses. All else are plain loops over a group of walks, which
-// become SIMD.
+// four rows of four, and to pack what a mask chooses. All else are plain loops over a group of
+// walks, which become SIMD.
 
 namespace irradiance
 {
@@ -169,22 +169,25 @@ struct RecordLanes
   // Where they hold what.
   static constexpr unsigned kA = 0, kB = 3, kC = 6, kNormal = 9, kClearance = 12, kInset = 13,
                             kColumns = 16;
-  /// Lanes::transpose takes that many rows.
-  static constexpr unsigned kRows = 8;
 
   alignas(64) double column[kColumns][kGroup];
 
   template <class Lanes>
   __attribute__((always_inline)) void load(const SceneRows& rows, const std::uint32_t* numbers)
   {
-    for (unsigned first = 0; first < kGroup; first += kRows)
+    for (unsigned lane = 0; lane < kGroup; lane += 4)
     {
-      const double* row[kRows];
-      for (unsigned lane = 0; lane < kRows; ++lane)
+      const double* row[4];
+      for (unsigned i = 0; i < 4; ++i)
       {
-        row[lane] = reinterpret_cast<const double*>(rows.recordOf(numbers[first + lane]));
+        row[i] = reinterpret_cast<const double*>(rows.recordOf(numbers[lane + i]));
       }
-      Lanes::transpose(row, &column[0][first]);
+      for (unsigned at = 0; at < kColumns; at += 4)
+      {
+        Lanes::transpose({ row[0] + at, row[1] + at, row[2] + at, row[3] + at },
+          { &column[at][lane], &column[at + 1][lane], &column[at + 2][lane],
+            &column[at + 3][lane] });
+      }
     }
   }
 };

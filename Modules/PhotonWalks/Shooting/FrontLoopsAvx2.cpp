@@ -54,18 +54,9 @@ struct Avx2Lanes
     return eight(flags) | eight(flags + 8) << 8 | eight(flags + 16) << 16 | eight(flags + 24) << 24;
   }
 
-  static void transpose(const double* const* rows, double* columns)
+  static void transpose(const double* const (&rows)[4], double* const (&columns)[4])
   {
-    for (unsigned row = 0; row < RecordLanes::kRows; row += 4)
-    {
-      for (unsigned column = 0; column < RecordLanes::kColumns; column += 4)
-      {
-        double* const to = columns + std::size_t{ column } * kGroup + row;
-        const double* const* const at = rows + row;
-        transpose4<double>({ at[0] + column, at[1] + column, at[2] + column, at[3] + column },
-          { to, to + kGroup, to + std::size_t{ 2 } * kGroup, to + std::size_t{ 3 } * kGroup });
-      }
-    }
+    transpose4(rows, columns);
   }
 
   class Packing

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #ifdef __x86_64__
 
+#include "Kernels/PrepareLanes.h"
 #include "Sampling/DirectionSampling.h"
 #include "Shooting/FrontLoops.h"
 #include "Simd/Prefetch.h"
@@ -29,12 +30,9 @@ struct Avx512Lanes
       std::uint32_t{ _mm512_test_epi32_mask(high, high) } << 16;
   }
 
-  static void transpose(const double* const* rows, double* columns)
+  static void transpose(const double* const (&rows)[4], double* const (&columns)[4])
   {
-    for (unsigned column = 0; column < RecordLanes::kColumns; column += 8)
-    {
-      transposeSquare(rows, column, columns + std::size_t{ column } * kGroup);
-    }
+    transpose4(rows, columns);
   }
 
   class Packing
@@ -77,36 +75,6 @@ struct Avx512Lanes
     __mmask8 low_, high_;
     int lows_; ///< how many of the first eight stay
   };
-
-private:
-  static void transposeSquare(const double* const* rows, unsigned first, double* columns)
-  {
-    // Pairs of rows: columns 0, 2, 4, 6 of both in `even`, the others in `odd`.
-    __m512d even[4], odd[4];
-    for (std::size_t pair = 0; pair < 4; ++pair)
-    {
-      const __m512d a = _mm512_load_pd(rows[2 * pair] + first),
-                    b = _mm512_load_pd(rows[2 * pair + 1] + first);
-      even[pair] = _mm512_unpacklo_pd(a, b);
-      odd[pair] = _mm512_unpackhi_pd(a, b);
-    }
-    storeEverySecond(even, columns);
-    storeEverySecond(odd, columns + kGroup);
-  }
-  static void storeEverySecond(const __m512d (&pairs)[4], double* columns)
-  {
-    // 0x88 takes the quarters 0 and 2 of both, 0xdd the quarters 1 and 3.
-    const __m512d above = _mm512_shuffle_f64x2(pairs[0], pairs[1], 0x88),
-                  below = _mm512_shuffle_f64x2(pairs[2], pairs[3], 0x88),
-                  aboveNext = _mm512_shuffle_f64x2(pairs[0], pairs[1], 0xdd),
-                  belowNext = _mm512_shuffle_f64x2(pairs[2], pairs[3], 0xdd);
-    _mm512_store_pd(columns, _mm512_shuffle_f64x2(above, below, 0x88));
-    _mm512_store_pd(
-      columns + std::size_t{ 2 } * kGroup, _mm512_shuffle_f64x2(aboveNext, belowNext, 0x88));
-    _mm512_store_pd(columns + std::size_t{ 4 } * kGroup, _mm512_shuffle_f64x2(above, below, 0xdd));
-    _mm512_store_pd(
-      columns + std::size_t{ 6 } * kGroup, _mm512_shuffle_f64x2(aboveNext, belowNext, 0xdd));
-  }
 };
 
 }

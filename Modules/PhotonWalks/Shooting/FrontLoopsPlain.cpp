@@ -26,13 +26,14 @@ struct PlainLanes
     return mask;
   }
 
-  static void transpose(const double* const* rows, double* columns)
+  /// Without AVX, vectors of four numbers are slower.
+  static void transpose(const double* const (&rows)[4], double* const (&columns)[4])
   {
-    for (unsigned column = 0; column < RecordLanes::kColumns; ++column)
+    for (unsigned column = 0; column < 4; ++column)
     {
-      for (unsigned row = 0; row < RecordLanes::kRows; ++row)
+      for (unsigned row = 0; row < 4; ++row)
       {
-        columns[column * kGroup + row] = rows[row][column];
+        columns[column][row] = rows[row][column];
       }
     }
   }

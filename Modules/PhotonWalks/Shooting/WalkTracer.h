@@ -6,6 +6,8 @@
 #include "Shooting/WalkStages.h"
 #include "Surfaces/Contacts.h"
 
+#include <algorithm>
+
 namespace irradiance
 {
 
@@ -36,14 +38,38 @@ public:
   // Each finds the hits of the rays of a front: the closest triangles, and among triangles that
   // coincide those that Contacts puts first. `cast`: owns the memory of the stages.
   /// Among all triangles. Writes distance, hit and weights.
-  void cast(WalkFront& front, FrontCast& cast) const;
+  void cast(WalkFront& front, FrontCast& cast) const
+  {
+    std::fill_n(front.distance.data(), front.size, kInfinity);
+    std::fill_n(front.hit.data(), front.size, WalkFront::kNone);
+    cast.cast(scene_, triangles_.surfaces(), raysOf(front));
+    resolveContacts(front);
+  }
   /// Among dynamic triangles, if they are closer than what stands in the front.
-  void castDynamic(WalkFront& front, FrontCast& cast) const;
+  void castDynamic(WalkFront& front, FrontCast& cast) const
+  {
+    cast.castDynamic(scene_, triangles_.surfaces(), raysOf(front));
+    resolveContacts(front);
+  }
   /// Likewise, among those of objects that moved. Only rows with another hit are asked for
   /// contacts.
-  void castMoved(WalkFront& front, FrontCast& cast) const;
+  void castMoved(WalkFront& front, FrontCast& cast) const
+  {
+    std::copy_n(front.hit.data(), front.size, front.candidate.data());
+    cast.castMoved(scene_, triangles_.surfaces(), raysOf(front));
+    for (std::size_t row = 0; hasContacts() && row < front.size; ++row)
+    {
+      if (front.hit[row] != front.candidate[row])
+      {
+        resolveContact(front, row);
+      }
+    }
+  }
   /// Sets the distances and weights of hits that are known.
-  void findDistances(WalkFront& front, FrontCast& cast) const;
+  void findDistances(WalkFront& front, FrontCast& cast) const
+  {
+    cast.findDistances(scene_, triangles_.surfaces(), raysOf(front));
+  }
 
   /// Whether the hit of a segment may depend on dynamic objects that touch its ends. Numbers of
   /// triangles.
@@ -80,8 +106,36 @@ public:
   }
 
 private:
-  void resolveContacts(WalkFront& front) const;
-  void resolveContact(WalkFront& front, std::size_t row) const;
+  static TreeRays raysOf(WalkFront& front)
+  {
+    return { static_cast<std::uint32_t>(front.size),
+      { front.originX.data(), front.originY.data(), front.originZ.data() },
+      { front.directionX.data(), front.directionY.data(), front.directionZ.data() },
+      { nullptr, nullptr, nullptr }, front.start.data(), front.distance.data(), front.hit.data(),
+      { front.weightB.data(), front.weightC.data() } };
+  }
+  void resolveContacts(WalkFront& front) const
+  {
+    for (std::size_t row = 0; hasContacts() && row < front.size; ++row)
+    {
+      resolveContact(front, row);
+    }
+  }
+  void resolveContact(WalkFront& front, std::size_t row) const
+  {
+    const TriangleId start = triangles_.idOf(front.start[row]),
+                     id = triangles_.idOf(front.hit[row]);
+    if (!contacts_->has(start) && !contacts_->has(id))
+    {
+      return;
+    }
+    const Hit closest{ front.distance[row], id, { front.weightB[row], front.weightC[row] } };
+    const Hit hit = contacts_->resolveContact(scene_, rayOf(front, row), closest);
+    front.distance[row] = hit.distance;
+    front.hit[row] = triangles_.numberOf(hit.id);
+    front.weightB[row] = hit.weights[0];
+    front.weightC[row] = hit.weights[1];
+  }
 
   const Scene& scene_;
   const SceneTriangles& triangles_;

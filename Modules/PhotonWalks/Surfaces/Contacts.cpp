@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/Contacts.h"
 
-#include "Meshes/ShellNesting.h"
 #include "Surfaces/ContactLight.h"
 #include "Trees/LeafQuery.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 namespace irradiance
 {

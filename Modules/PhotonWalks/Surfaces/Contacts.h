@@ -8,13 +8,10 @@
 #include "Surfaces/ObjectSides.h"
 
 #include <memory>
-#include <tuple>
 #include <vector>
 
 namespace irradiance
 {
-
-class ContactLight;
 
 /**
  * Where triangles coincide, what is solid decides which of them light leaves and hits, as rounding

@@ -57,22 +57,16 @@ struct Power
 /// A value for each band, in any unit; 0 in bands that are not there.
 struct Bands : std::array<double, Power::kMaxBands>
 {
-  Bands& operator+=(const Bands& other)
+  /// Calculates band by band.
+  template <class Calculate>
+  Bands with(Bands other, const Calculate& calculate) const
   {
-    std::transform(begin(), end(), other.begin(), begin(), std::plus<>());
-    return *this;
+    std::transform(begin(), end(), other.begin(), other.begin(), calculate);
+    return other;
   }
-  friend Bands operator-(Bands a, const Bands& b)
-  {
-    std::transform(a.begin(), a.end(), b.begin(), a.begin(), std::minus<>());
-    return a;
-  }
-  /// Band by band.
-  friend Bands operator*(Bands a, const Bands& b)
-  {
-    std::transform(a.begin(), a.end(), b.begin(), a.begin(), std::multiplies<>());
-    return a;
-  }
+  Bands& operator+=(const Bands& other) { return *this = with(other, std::plus<>()); }
+  friend Bands operator-(const Bands& a, const Bands& b) { return a.with(b, std::minus<>()); }
+  friend Bands operator*(const Bands& a, const Bands& b) { return a.with(b, std::multiplies<>()); }
   friend Bands operator*(double factor, Bands bands)
   {
     for (double& value : bands)
@@ -82,11 +76,9 @@ struct Bands : std::array<double, Power::kMaxBands>
     return bands;
   }
   /// The larger value of each band.
-  friend Bands larger(Bands a, const Bands& b)
+  friend Bands larger(const Bands& a, const Bands& b)
   {
-    std::transform(
-      a.begin(), a.end(), b.begin(), a.begin(), [](double x, double y) { return std::max(x, y); });
-    return a;
+    return a.with(b, [](double x, double y) { return std::max(x, y); });
   }
   double largest() const { return *std::max_element(begin(), end()); }
 };

@@ -4,6 +4,7 @@
 
 #include "Surfaces/SceneObjects.h"
 
+#include <utility>
 #include <vector>
 
 namespace irradiance
@@ -81,7 +82,22 @@ class SceneCells
 {
 public:
   /// Measures what differs from the last frame.
-  void update(const SceneObjects& objects, const CancelPoint& cancelPoint);
+  void update(const SceneObjects& objects, const CancelPoint& cancelPoint)
+  {
+    const SceneObjects before = std::exchange(objects_, {}); // nothing is known until all is
+    const bool isFirst = before.size() != objects.size() || areas_.size() != objects.size();
+    areas_.resize(objects.size());
+    for (std::uint32_t i = 0; i < objects.size(); ++i)
+    {
+      const SceneObject &now = objects[i], &old = isFirst ? now : before[i];
+      if (isFirst || hasMoved(now, old) || now.material != old.material)
+      {
+        areas_[i] = cellAreas(now, cancelPoint);
+      }
+    }
+    numbers_ = CellNumbers(objects);
+    objects_ = objects;
+  }
 
   const CellNumbers& numbers() const { return numbers_; }
   /// World area, m2; 0 if the object is not there.

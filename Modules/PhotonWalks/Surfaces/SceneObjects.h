@@ -45,6 +45,16 @@ struct SceneObjects
     return object == 0 ? staticObject : dynamicObjects[object - 1];
   }
   std::uint32_t size() const { return static_cast<std::uint32_t>(dynamicObjects.size() + 1); }
+  /// Of all objects.
+  Box worldBounds() const
+  {
+    Box all = staticObject.worldBounds();
+    for (const SceneObject& object : dynamicObjects)
+    {
+      all.add(object.worldBounds());
+    }
+    return all;
+  }
   /// The dynamic objects as the ray casting sees them.
   std::vector<PlacedBody> dynamicBodies() const
   {

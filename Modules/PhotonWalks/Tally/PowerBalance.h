@@ -5,8 +5,10 @@
 #include "Execution/Ranks.h"
 #include "Surfaces/Power.h"
 
+#include <array>
 #include <cstdint>
 #include <mutex>
+#include <stdexcept>
 
 namespace irradiance
 {
@@ -22,17 +24,51 @@ struct PowerBalance
   std::int64_t segments = 0;
   double received = 0; ///< by all cells in all bands; shows an overflow before it happens
 
-  PowerBalance& operator+=(const PowerBalance& other);
+  PowerBalance& operator+=(const PowerBalance& other)
+  {
+    emitted += other.emitted;
+    absorbed += other.absorbed;
+    escaped += other.escaped;
+    unmet += other.unmet;
+    segments += other.segments;
+    received += other.received;
+    return *this;
+  }
 };
 
-/// Adds up the balances of all ranks.
-void sumOver(Ranks& ranks, PowerBalance& balance);
-
 /// Throws std::overflow_error when cell sums might overflow.
-void checkReceived(const PowerBalance& balance);
+inline void checkReceived(const PowerBalance& balance)
+{
+  if (balance.received > 0x1p62)
+  {
+    throw std::overflow_error("the cells receive more than 2^16 times the emitted power: the "
+                              "reflectances of a closed scene are too near 1");
+  }
+}
+
+/// Adds up the balances of all ranks.
+inline void sumOver(Ranks& ranks, PowerBalance& balance)
+{
+  for (Power* power : { &balance.emitted, &balance.absorbed, &balance.escaped, &balance.unmet })
+  {
+    ranks.sum(power->quanta.data(), power->quanta.size());
+  }
+  constexpr double kUnit = 0x1p20; // so that the sum of many ranks does not overflow
+  std::array<std::int64_t, 2> counts{ balance.segments,
+    static_cast<std::int64_t>(balance.received / kUnit) };
+  ranks.sum(counts.data(), counts.size());
+  balance.segments = counts[0];
+  balance.received = kUnit * static_cast<double>(counts[1]);
+  checkReceived(balance);
+}
 
 /// Adds a part to a total that threads share. Throws as checkReceived() does.
-void addLocked(const PowerBalance& part, PowerBalance& total, std::mutex& mutex);
+inline void addLocked(const PowerBalance& part, PowerBalance& total, std::mutex& mutex)
+{
+  const std::lock_guard<std::mutex> lock(mutex);
+  total += part;
+  checkReceived(total);
+}
 
 /// Whether more was absorbed than there is, beyond noise and rounding; W in a band. `error`: the
 /// standard error of what escaped.

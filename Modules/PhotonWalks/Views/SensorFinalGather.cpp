@@ -68,7 +68,7 @@ Box boundsBesideLamps(const SceneObjects& objects)
 
 double sensorClearance(const Box& near)
 {
-  return near.isEmpty() ? 0 : 0x1p-20 * near.extent().maxCoeff() + 0x1p-32 * near.magnitude();
+  return 0x1p-20 * near.size() + 0x1p-32 * near.magnitude();
 }
 
 std::optional<LitPoint> sensorPlace(const Box& bounds, const Box& near, const Sensor& sensor)

@@ -7,7 +7,11 @@
 #include "FinalGather/PathSums.h"
 #include "IrradianceEngine.h"
 
+#include <algorithm>
+#include <cmath>
 #include <deque>
+#include <limits>
+#include <numeric>
 #include <vector>
 
 namespace irradiance
@@ -35,7 +39,22 @@ public:
   /// start; rounded up to a multiple of the replicates. `asksOnLobes`, `keepsPaths`: see
   /// FinalGatherScene. Throws Interrupted.
   ViewFinalGather(const IrradianceEngine& engine, const CellShapes& shapes, std::uint32_t rays,
-    bool asksOnLobes, bool keepsPaths, Execution& execution);
+    bool asksOnLobes, bool keepsPaths, Execution& execution)
+    : engine_(engine)
+    , lights_(lightsOf(engine.walks(), engine.frame(), engine.settings().seed,
+        asksOnLobes ? kSamplesOnLobe : kSamplesOfHit, Asked::All))
+    , foundLamps_(foundLamps(engine.walks(), engine.cells().numbers()))
+    , roles_(engine.cells(), engine.numberOfWalks(), engine.hasLights() ? rays : 0)
+    , unevenCells_(unevenCells(CellShapes(engine.frame(), 0, 1, cancelPointOf(execution, 0)),
+        roles_, engine.walks(), cancelPointOf(execution, 0)))
+    , scene_{ engine.frame(), shapes, roles_, engine.sums(), nullptr, nullptr,
+      engine.sums().rounds(), lights_, foundLamps_, unevenCells_,
+      dealtRays(rays, engine.walks().plan().replicates().count()),
+      engine.hasLights() ? 1 / engine.watts(1.0) : 0.0, // else a quantum is no power at all
+      engine.settings().seed, keepsPaths }
+  {
+    scene_.asksOnLobes = asksOnLobes;
+  }
 
   const FinalGatherScene& scene() const { return scene_; }
   /// The paths that addStarts(FinalGatherPaths) adds. Throws std::runtime_error for a path that
@@ -46,7 +65,17 @@ public:
     return FinalGatherPaths::follow(paths_, scene_, addStarts);
   }
   /// W/m2 that came to the `start`-th start, times a factor: each replicate's part.
-  std::vector<Bands> replicatesOf(const PathSums& brought, std::size_t start, double factor) const;
+  std::vector<Bands> replicatesOf(const PathSums& brought, std::size_t start, double factor) const
+  {
+    std::vector<Bands> replicates(scene_.replicates());
+    for (std::uint32_t k = 0; k < replicates.size(); ++k)
+    {
+      const Bands& quanta = brought.found(start, k);
+      std::transform(quanta.begin(), quanta.end(), replicates[k].begin(),
+        [&](double quantaPerArea) { return engine_.watts(factor * quantaPerArea); });
+    }
+    return replicates;
+  }
 
 private:
   // Lobes are many, and rays find what these neglect.
@@ -63,7 +92,18 @@ private:
 
 /// The standard error of a sum of which each replicate has its part, from their scatter: NaN with a
 /// single replicate, or if none has anything.
-double standardErrorOf(const std::vector<double>& parts);
+inline double standardErrorOf(const std::vector<double>& parts)
+{
+  const auto count = static_cast<double>(parts.size());
+  const double sum = std::accumulate(parts.begin(), parts.end(), 0.0);
+  double squares = 0;
+  for (const double part : parts)
+  {
+    squares += (count * part - sum) * (count * part - sum);
+  }
+  return count > 1 && sum > 0 ? std::sqrt(squares / (count * (count - 1)))
+                              : std::numeric_limits<double>::quiet_NaN();
+}
 
 }
 

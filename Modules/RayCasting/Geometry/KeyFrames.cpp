@@ -42,15 +42,10 @@ void checkTimes(const std::vector<KeyFrame>& keys)
 {
   for (std::size_t i = 0; i < keys.size(); ++i)
   {
-    if (!std::isfinite(keys[i].time))
-    {
-      throw InputError(keys[i].name + ": the time " + text(keys[i].time) + " is not finite");
-    }
-    if (i > 0 && !(keys[i].time > keys[i - 1].time))
-    {
-      throw InputError(keys[i].name + ": the time " + text(keys[i].time) +
-        " is not after that of " + keys[i - 1].name + ", which is " + text(keys[i - 1].time));
-    }
+    const KeyFrame &key = keys[i], &before = keys[i > 0 ? i - 1 : 0];
+    throwIf(!std::isfinite(key.time), key.name, ": the time ", key.time, " is not finite");
+    throwIf(i > 0 && !(key.time > before.time), key.name, ": the time ", key.time,
+      " is not after that of ", before.name, ", which is ", before.time);
   }
 }
 
@@ -78,12 +73,9 @@ KeyFrames::KeyFrames(
       continue;
     }
     const Parts& before = parts_[parts_.size() - 2];
-    if ((now.scale[0] < 0) != (before.scale[0] < 0))
-    {
-      throw InputError(key.name +
-        (now.scale[0] < 0 ? ": the pose mirrors" : ": the pose does not mirror") +
-        ", unlike the one before: between them it would be flat");
-    }
+    throwIf((now.scale[0] < 0) != (before.scale[0] < 0), key.name,
+      now.scale[0] < 0 ? ": the pose mirrors" : ": the pose does not mirror",
+      ", unlike the one before: between them it would be flat");
     if (now.rotation.dot(before.rotation) < 0)
     {
       now.rotation.coeffs() *= -1; // the same rotation, by the shorter way
@@ -99,12 +91,9 @@ KeyFrames::Parts KeyFrames::partsOf(const KeyFrame& key)
   Matrix3 axes = linear * parts.scale.cwiseInverse().asDiagonal();
   const double shear = std::max({ std::abs(axes.col(0).dot(axes.col(1))),
     std::abs(axes.col(1).dot(axes.col(2))), std::abs(axes.col(2).dot(axes.col(0))) });
-  if (!(shear <= kLargestShear))
-  {
-    throw InputError(key.name + ": the pose shears (two axes of the object meet at a cosine of " +
-      text(shear) +
-      "), so it is not clear what lies between keys; InterpolationType Step takes it");
-  }
+  throwIf(!(shear <= kLargestShear), key.name,
+    ": the pose shears (two axes of the object meet at a cosine of ", shear,
+    "), so it is not clear what lies between keys; InterpolationType Step takes it");
   if (axes.determinant() < 0)
   {
     parts.scale = -parts.scale;

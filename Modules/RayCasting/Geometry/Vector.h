@@ -60,6 +60,8 @@ struct Box
   }
   Vector3 center() const { return 0.5 * lower + 0.5 * upper; }
   Vector3 extent() const { return upper - lower; }
+  /// Largest extent; 0 when empty.
+  double size() const { return isEmpty() ? 0.0 : extent().maxCoeff(); }
   /// Largest absolute coordinate; 0 when empty.
   double magnitude() const
   {

@@ -2,11 +2,13 @@
 #ifndef irradiance_TriangleMesh_h
 #define irradiance_TriangleMesh_h
 
-#include "Geometry/Triangle.h"
+#include "Meshes/SurfacePoint.h"
 #include "Progress/CancelPoint.h"
 #include "Simd/Prefetch.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace irradiance
@@ -17,7 +19,24 @@ class TriangleMesh
 {
 public:
   TriangleMesh() = default;
-  explicit TriangleMesh(std::vector<Triangle> triangles, const CancelPoint& cancelPoint = {});
+  explicit TriangleMesh(std::vector<Triangle> triangles, const CancelPoint& cancelPoint = {})
+    : triangles_(std::move(triangles))
+  {
+    ThrottledCancelPoint pace(cancelPoint);
+    for (const Triangle& triangle : triangles_)
+    {
+      bounds_.add(triangle.bounds());
+      const double a = (triangle.c - triangle.b).norm(), b = (triangle.a - triangle.c).norm(),
+                   c = (triangle.b - triangle.a).norm(), area = triangle.areaVector().norm();
+      const double longest = std::max({ a, b, c });
+      longestEdge_ = std::max(longestEdge_, longest);
+      const double slenderness = area > 0 ? longest * (a + b + c) / area : 0.0;
+      slenderness_ = std::max(slenderness_, slenderness);
+      clearance_ = std::max(
+        clearance_, farthestClearance(triangle.bounds().magnitude(), longest, slenderness));
+      pace.step();
+    }
+  }
 
   std::size_t size() const { return triangles_.size(); }
   bool isEmpty() const { return triangles_.empty(); }

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace irradiance
 {
@@ -17,7 +19,13 @@ namespace irradiance
 class RigidObject
 {
 public:
-  explicit RigidObject(TriangleMesh mesh, const CancelPoint& cancelPoint = {}, bool mayMove = true);
+  explicit RigidObject(TriangleMesh mesh, const CancelPoint& cancelPoint = {}, bool mayMove = true)
+    : mesh_(std::move(mesh))
+    , tree_(treeOf(mesh_.triangles(), cancelPoint))
+    , detailTrees_(mayMove ? std::vector<TriangleTree>() : detailTreesOf(mesh_, cancelPoint))
+    , ellipsoid_(mayMove ? enclose(mesh_, cancelPoint) : EnclosingEllipsoid())
+  {
+  }
 
   const TriangleMesh& mesh() const { return mesh_; }
   const TriangleTree& tree() const { return tree_; }
@@ -34,6 +42,19 @@ public:
   const EnclosingEllipsoid& ellipsoid() const { return ellipsoid_; }
 
 private:
+  static EnclosingEllipsoid enclose(const TriangleMesh& mesh, const CancelPoint& cancelPoint)
+  {
+    std::vector<Vector3> points;
+    points.reserve(3 * mesh.size());
+    ThrottledCancelPoint pace(cancelPoint);
+    for (const Triangle& triangle : mesh.triangles())
+    {
+      points.insert(points.end(), { triangle.a, triangle.b, triangle.c });
+      pace.step();
+    }
+    return points.empty() ? EnclosingEllipsoid() : encloseByEllipsoid(points, cancelPoint);
+  }
+
   TriangleMesh mesh_;
   TriangleTree tree_;
   std::vector<TriangleTree> detailTrees_; ///< see there; none if the body may move

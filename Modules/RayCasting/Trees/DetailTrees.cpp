@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iterator>
 
 namespace irradiance
@@ -31,7 +30,7 @@ using Tiny = std::vector<TinyTriangle>;
 Tiny tinyOf(const TriangleMesh& mesh, const CancelPoint& cancelPoint)
 {
   ThrottledCancelPoint pace(cancelPoint);
-  const double limit = mesh.size() == 0 ? 0 : kTiny * mesh.bounds().extent().maxCoeff();
+  const double limit = kTiny * mesh.bounds().size();
   Tiny tiny;
   for (std::uint32_t i = 0; i < mesh.size(); ++i)
   {

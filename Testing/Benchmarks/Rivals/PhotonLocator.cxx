@@ -142,15 +142,15 @@ public:
     leaves_ = LeafPhotons(engine.objects());
     leaves_.add(history(), 0, history().size(), execution_);
     surfaces_.update(engine.objects());
-    search_.emplace(leaves_, surfaces_, engine.objects(), history());
+    search_.emplace(leaves_, surfaces_, engine.objects(), WalkHistories{ &history() });
   }
 
   void build() override
   {
     frame_ = 1 - frame_;
-    leaves_.apply(objects(), history(), changes_[frame_], execution_);
+    leaves_.apply(objects(), { &history() }, changes_[frame_], execution_);
     surfaces_.update(objects());
-    search_.emplace(leaves_, surfaces_, objects(), history());
+    search_.emplace(leaves_, surfaces_, objects(), WalkHistories{ &history() });
   }
 
   void find(const Sensor& sensor, std::size_t count) override
