@@ -221,7 +221,7 @@ std::string noLightWarning(vtkAlgorithm* filter, const SceneInputs& inputs)
     parts += names.empty() ? 0 : 1;
   }
   return "the scene has no light: no surface with a cell array " + lightName(filter, Exitance) +
-    " above 0, and no vertex with a " + lightName(filter, Flux) +
+    " above 0, no vertex with a " + lightName(filter, Flux) + ", and no sky" +
     (unread.empty() ? ". No cell array is there that is not read"
                     : ". Cell arrays that are not read: " + unread +
           (parts > mostParts ? "; and in more inputs" : "") + ". SetCellArray(" +

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <sstream>
 
 namespace irradiance
 {
@@ -264,8 +265,10 @@ struct PolyDataConverter
       input->GetPoint(ids[i], point.data());
       if (!point.allFinite() || !(point.cwiseAbs().maxCoeff() <= kMostDistant))
       {
+        std::ostringstream place; // with six digits, as points are floats mostly
+        place << point.transpose();
         failIf(true, "point ", ids[i],
-          point.allFinite() ? " is out of range (" : " is not finite (", point.transpose(), ")");
+          point.allFinite() ? " is out of range (" : " is not finite (", place.str(), ")");
       }
     }
   }
