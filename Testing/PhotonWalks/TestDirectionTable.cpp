@@ -50,14 +50,15 @@ struct Grid
                                 : (1 - along) * ofPlane(step) + along * ofPlane(step + 1);
   }
 
+  static constexpr double kPlaces[] = { -0.906179845938664, -0.538469310105683, 0,
+    0.538469310105683, 0.906179845938664 };
+  static constexpr double kWeights[] = { 0.236926885056189, 0.478628670499366, 0.568888888888889,
+    0.478628670499366, 0.236926885056189 };
+
   /// By 5 points of Gauss in 8 parts of each patch each way.
   using Weight = std::function<double(const Vector3&)>;
   double integral(const Weight& weight) const
   {
-    constexpr double kPlaces[] = { -0.906179845938664, -0.538469310105683, 0, 0.538469310105683,
-      0.906179845938664 };
-    constexpr double kWeights[] = { 0.236926885056189, 0.478628670499366, 0.568888888888889,
-      0.478628670499366, 0.236926885056189 };
     double sum = 0;
     for (std::size_t i = 0; i < steps() * (polar.size() - 1) * 1600; ++i)
     {
@@ -71,6 +72,23 @@ struct Grid
       sum += kWeights[i % 5] * kWeights[i / 40 % 5] / 256 * at(step, angle, along, up) *
         std::sin(low + up * rise) * rise * (to - from) *
         weight(towards(low + up * rise, from + along * (to - from)));
+    }
+    return sum;
+  }
+  /// Along a step of azimuth, up to a polar angle: of each radian of azimuth. By 5 points of Gauss
+  /// in 8 parts.
+  double upTo(double end, std::size_t step, double along) const
+  {
+    double sum = 0;
+    for (std::size_t i = 0; i < (polar.size() - 1) * 40; ++i)
+    {
+      const std::size_t angle = i / 40;
+      const double low = kDegrees * polar[angle], rise = kDegrees * polar[angle + 1] - low;
+      const double width = std::min(rise, end - low);
+      const double up = (static_cast<double>(i / 5 % 8) + (1 + kPlaces[i % 5]) / 2) / 8 * width;
+      sum += width <= 0
+        ? 0
+        : kWeights[i % 5] / 16 * width * at(step, angle, along, up / rise) * std::sin(low + up);
     }
     return sum;
   }
@@ -197,6 +215,56 @@ TEST(DirectionTable, SampledMeansAreThoseOfQuadrature)
     {
       EXPECT_NEAR(sums[k], grid.integral(weights[k]) / table.integral(), kIsSanitized ? 0.01 : 1e-3)
         << grid.name << ", weight " << k;
+    }
+  }
+}
+
+// So evenly spread samples give evenly spread light: the parts of the light below a sample's
+// azimuth, and there below its polar angle, are the sample, by quadrature.
+TEST(DirectionTable, SamplesAreByInversion)
+{
+  std::vector<Grid> all = grids();
+  all.push_back({ "wide", { 0, 90, 180 }, { 0, 180, 360 }, randomValues(9, 7) });
+  all.push_back({ "half dark", { 0, 90, 180 }, { 0, 180 }, { 0, 1, 0, 2, 0, 3 } });
+  all.push_back({ "half of the circle", { 0, 180 }, { 0 }, { 0, 1 } });
+  all.push_back({ "narrow", { 30, 30.0001, 30.0002 }, { 0, 0.0001 }, randomValues(6, 8) });
+  all.push_back({ "degrees", {}, { 0, 5, 355 }, randomValues(3 * 181, 9) });
+  for (int degree = 0; degree <= 180; ++degree)
+  {
+    all.back().polar.push_back(degree);
+  }
+  constexpr double kPolar = M_PI;
+  RandomVectors random(3);
+  for (const Grid& grid : all)
+  {
+    const DirectionTable table = grid.table();
+    for (int i = 0; i < 400; ++i)
+    {
+      std::array<double, 2> u{ random.uniform(0, 1), random.uniform(0, 1) };
+      u[i % 2] = i < 100 ? std::ldexp(1, -i % 34 - 1)
+        : i < 200        ? 1 - std::ldexp(1, -i % 34 - 1)
+                         : u[i % 2];
+      const Vector3 d = table.sample(u);
+      const double turns = (std::atan2(d.y(), d.x()) - kDegrees * grid.azimuths[0]) / (2 * M_PI);
+      const double azimuth = 2 * M_PI * (turns - std::floor(turns));
+      double whole = 0, before = 0, along = 0;
+      std::size_t found = 0;
+      for (std::size_t step = 0; step < grid.steps(); ++step)
+      {
+        const auto [from, to] = grid.turn(step);
+        const double at = azimuth - (from - grid.turn(0)[0]),
+                     part = std::clamp(at / (to - from), 0.0, 1.0);
+        found = at >= 0 ? step : found;
+        along = at >= 0 ? part : along;
+        const double first = grid.upTo(kPolar, step, 0), last = grid.upTo(kPolar, step, 1);
+        before += part * (to - from) * (first + part / 2 * (last - first));
+        whole += (to - from) * (first + last) / 2;
+      }
+      EXPECT_NEAR(before / whole, u[0], 1e-9) << grid.name << ": " << u[0] << " " << u[1];
+      EXPECT_NEAR(grid.upTo(std::atan2(std::hypot(d.x(), d.y()), d.z()), found, along) /
+          grid.upTo(kPolar, found, along),
+        u[1], 1e-9)
+        << grid.name << ": " << u[0] << " " << u[1];
     }
   }
 }

@@ -55,7 +55,16 @@ public:
       values_.data() + first.value, shadows_.data() + first.shadow, shadows_.data() + end.shadow };
   }
   /// Forgets all paths, and makes room for others.
-  void clear(std::size_t paths, std::size_t segments, std::size_t values);
+  void clear(std::size_t paths, std::size_t segments, std::size_t values)
+  {
+    segments_.clear();
+    segments_.reserve(segments);
+    values_.clear();
+    values_.reserve(values);
+    shadows_.clear();
+    ends_.clear();
+    ends_.reserve(paths);
+  }
   /// To the path that endPath() ends. `values`: with several bands the weights of the segment; what
   /// the lights brought where they were asked; the weight of a lamp. `shadows`: of these lights.
   void addSegment(const PathSegment& segment, const double* values, const double* endOfValues,
@@ -66,17 +75,58 @@ public:
     shadows_.insert(shadows_.end(), shadows, endOfShadows);
   }
   void endPath() { ends_.push_back({ segments_.size(), values_.size(), shadows_.size() }); }
-  /// These, in order, and among them some that were followed before: for each of all, its place
-  /// there, or kAnew.
   static constexpr std::size_t kAnew = std::numeric_limits<std::size_t>::max();
+  /// These, in order, and among them some that were followed before: for each of all, its place
+  /// there, or kAnew. Runs of paths that follow each other are taken together.
   FollowedPaths mergedWith(
-    const FollowedPaths& before, const std::vector<std::size_t>& places) const;
+    const FollowedPaths& before, const std::vector<std::size_t>& places) const
+  {
+    FollowedPaths merged;
+    merged.ends_.reserve(places.size());
+    merged.segments_.reserve(before.segments_.size());
+    std::size_t next = 0; // of these
+    for (std::size_t i = 0; i < places.size();)
+    {
+      const bool isAnew = places[i] == kAnew;
+      const std::size_t first = isAnew ? next : places[i];
+      std::size_t count = 1;
+      while (i + count < places.size() && places[i + count] == (isAnew ? kAnew : first + count))
+      {
+        ++count;
+      }
+      merged.addPaths(isAnew ? *this : before, first, first + count);
+      next += isAnew ? count : 0;
+      i += count;
+    }
+    return merged;
+  }
   /// Of its memory.
-  std::size_t bytes() const;
+  std::size_t bytes() const
+  {
+    return segments_.capacity() * sizeof(PathSegment) + values_.capacity() * sizeof(double) +
+      shadows_.capacity() * sizeof(ShadowRay) + ends_.capacity() * sizeof(End);
+  }
 
 private:
   /// Adds paths [first, end) of others.
-  void addPaths(const FollowedPaths& from, std::size_t first, std::size_t end);
+  void addPaths(const FollowedPaths& from, std::size_t first, std::size_t end)
+  {
+    const End begin = from.startOf(first), last = from.startOf(end);
+    const End shift{ segments_.size() - begin.segment, values_.size() - begin.value,
+      shadows_.size() - begin.shadow }; // modulo 2^64
+    segments_.insert(
+      segments_.end(), from.segments_.data() + begin.segment, from.segments_.data() + last.segment);
+    values_.insert(
+      values_.end(), from.values_.data() + begin.value, from.values_.data() + last.value);
+    shadows_.insert(
+      shadows_.end(), from.shadows_.data() + begin.shadow, from.shadows_.data() + last.shadow);
+    for (std::size_t path = first; path < end; ++path)
+    {
+      const End& own = from.ends_[path];
+      ends_.push_back(
+        { own.segment + shift.segment, own.value + shift.value, own.shadow + shift.shadow });
+    }
+  }
   struct End
   {
     std::size_t segment, value, shadow;

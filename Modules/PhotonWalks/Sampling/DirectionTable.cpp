@@ -2,11 +2,11 @@
 #include "Sampling/DirectionTable.h"
 
 #include "Progress/InputError.h"
-#include "Sampling/ElementaryFunctions.h"
 #include "Sampling/WeightChoice.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace irradiance
@@ -28,43 +28,101 @@ void checkEach(const std::vector<double>& numbers, const char* what, const IsRig
   }
 }
 
-/// The integral over a step of what is linear in the angle, times the sine: of `from`, and what it
-/// grows by each radian. About the middle, where little cancels.
-double overStep(double start, double width, double from, double growth)
+/// A turn by 0 to 360 degrees: what the sine lacks of the angle, and the cosine of 1, by Taylor's
+/// series where these would cancel.
+struct Turn
 {
-  const double half = width / 2;
-  const SinCos middle((start + half) / (2 * kPi)), ofHalf(half / (2 * kPi));
-  return 2 * (from + growth * half) * middle.sine * ofHalf.sine +
-    2 * growth * middle.cosine * (ofHalf.sine - half * ofHalf.cosine);
+  double angle, lag, sine, versine;
+
+  __attribute__((always_inline)) explicit Turn(double radians)
+    : angle(radians)
+  {
+    const double z = angle * angle, zz = z * z;
+    lag = angle * z * ((1 / 6.0 - z * (1 / 120.0)) + zz * (1 / 5040.0 - z * (1 / 362880.0)));
+    versine = z * ((1 / 2.0 - z * (1 / 24.0)) + zz * (1 / 720.0 - z * (1 / 40320.0)));
+    if (angle > 0.18) // up to here what is left out of the series is below 2^-46
+    {
+      const SinCos whole(std::min(angle / (2 * kPi), 1.0));
+      lag = angle - whole.sine;
+      versine = 1 - whole.cosine;
+    }
+    sine = angle - lag;
+  }
+  /// By the addition theorem.
+  __attribute__((always_inline)) SinCos from(const SinCos& start) const
+  {
+    SinCos sum = start;
+    sum.sine += start.cosine * sine - start.sine * versine;
+    sum.cosine -= start.sine * sine + start.cosine * versine;
+    return sum;
+  }
+};
+
+/// The integral over a turn from an angle on of what is linear in it, times the sine: of `from`, and
+/// what it grows by each radian. By parts, as the sine's integral is known.
+inline double overTurn(const SinCos& start, const Turn& turn, double from, double growth)
+{
+  return (from + growth * turn.angle) * (start.sine * turn.sine + start.cosine * turn.versine) -
+    growth * (start.sine * turn.versine + start.cosine * turn.lag);
 }
 
-/// Where in a step the integral is a part of that over the whole step. Newton's method within
-/// bounds, from where it would be if the sine were linear as well.
-double placeInStep(double start, double width, double from, double growth, double part)
+/// Where in a step the integral is `wanted`, a part of the whole. By the series of the inverse up to
+/// the third power, within bounds, from where it would be if the sine were linear as well.
+inline double placeInStep(
+  const SinCos* ends, double width, double from, double to, double wanted, double part)
 {
-  const SinCos first(start / (2 * kPi)), last((start + width) / (2 * kPi));
-  const double to = from + growth * width;
-  const double whole =
-    from * (first.cosine - last.cosine) + growth * (last.sine - first.sine - width * last.cosine);
+  const double growth = (to - from) / width;
   double lower = 0, upper = width,
-         place = width * sampleLinear(part, from * first.sine, std::max(0.0, to * last.sine));
+         place = width * sampleLinear(part, from * ends[0].sine, std::max(0.0, to * ends[1].sine));
   constexpr int kMostSteps = 64;
   for (int i = 0; i < kMostSteps; ++i)
   {
-    const SinCos here((start + place) / (2 * kPi));
-    const double excess = from * (first.cosine - here.cosine) +
-      growth * (here.sine - first.sine - place * here.cosine) - part * whole;
+    const Turn turn(place);
+    const SinCos here = turn.from(ends[0]);
+    const double value = from + growth * place,
+                 excess = overTurn(ends[0], turn, from, growth) - wanted;
     (excess > 0 ? upper : lower) = place;
-    const double slope = (from + growth * place) * here.sine;
-    const double next = place - excess / slope;
-    const double before =
-      std::exchange(place, next > lower && next < upper ? next : (lower + upper) / 2);
-    if (std::abs(place - before) <= 0x1p-16 * width) // the next step is about the square of it
+    const double inverse = 1 / (value * here.sine), newton = excess * inverse;
+    const double slope = (growth * here.sine + value * here.cosine) * inverse, half = slope / 2,
+                 bend = (2 * growth * here.cosine - value * here.sine) * inverse;
+    const double next =
+      place - newton * (1 + newton * (half + newton * (half * slope - bend * (1 / 6.0))));
+    place = next >= lower && next <= upper ? next : (lower + upper) / 2;
+    if (std::abs(newton) * (1 + std::abs(slope) * width) <= 0x1p-8 * width)
     {
-      break;
+      break; // less than 2^-32 of the width is left out
     }
   }
   return place;
+}
+
+/// Adds on which step an increasing function reaches each of as many even parts of its last value
+/// as it has steps.
+void addGuide(const double* function, std::size_t steps, std::vector<std::uint32_t>& guide)
+{
+  for (std::size_t i = 0, step = 0; i <= steps; ++i)
+  {
+    const double border = static_cast<double>(i) / static_cast<double>(steps) * function[steps];
+    while (step + 1 < steps && function[step + 1] < border)
+    {
+      ++step;
+    }
+    guide.push_back(static_cast<std::uint32_t>(step));
+  }
+}
+
+/// The last step from `first` to `last` at whose start an increasing function is at most a target.
+template <class Function>
+std::size_t stepBelow(const Function& function, double target, std::size_t first, std::size_t last)
+{
+  std::size_t count = last + 1 - first;
+  do // once also if there is only one, as nobody can predict whether there are two
+  {
+    const std::size_t half = count / 2;
+    first += function(first + half) <= target ? half : 0;
+    count -= half;
+  } while (count > 1);
+  return first;
 }
 
 /// The step of increasing angles on which an angle falls, the later one at a border. A guess, which
@@ -75,12 +133,12 @@ std::size_t stepOf(const std::vector<double>& angles, double angle)
   const double whole = angles.back() - angles.front();
   const double guess =
     whole > 0 ? (angle - angles.front()) / whole * static_cast<double>(last + 1) : 0;
-  auto step = static_cast<std::size_t>(std::clamp(guess, 0.0, static_cast<double>(last)));
-  while (step > 0 && angle < angles[step])
+  std::size_t step = std::min<std::size_t>(static_cast<std::uint32_t>(guess), last);
+  while (angle < angles[step] && step > 0)
   {
     --step;
   }
-  while (step < last && angle >= angles[step + 1])
+  while (angle >= angles[step + 1] && step < last)
   {
     ++step;
   }
@@ -113,7 +171,16 @@ DirectionTable::DirectionTable(
   {
     std::transform(angles->begin(), angles->end(), angles->begin(),
       [](double degrees) { return degrees * kDegree; });
+    for (const double angle : *angles)
+    {
+      const double turns = angle / (2 * kPi);
+      (angles == &polar_ ? ofPolar_ : ofAzimuth_)
+        .emplace_back(std::clamp(turns - std::floor(turns), 0.0, 1.0));
+    }
   }
+  below_.reserve(values_.size());
+  angleGuide_.reserve(values_.size());
+  const std::size_t last = polar_.size() - 1;
   for (std::size_t plane = 0; plane < azimuths_.size(); ++plane)
   {
     below_.push_back(0);
@@ -121,10 +188,11 @@ DirectionTable::DirectionTable(
     {
       const double width = polar_[i] - polar_[i - 1], from = at(plane, i - 1);
       below_.push_back(below_.back() +
-        (width > 0 ? overStep(polar_[i - 1], width, from, (at(plane, i) - from) / width) : 0));
+        overTurn(
+          ofPolar_[i - 1], Turn(width), from, width > 0 ? (at(plane, i) - from) / width : 0));
     }
+    addGuide(&below_[plane * polar_.size()], last, angleGuide_);
   }
-  const std::size_t last = polar_.size() - 1;
   cumulative_.push_back(isRound() ? 2 * kPi * belowAngle(0, last) : 0);
   for (std::size_t plane = 1; plane < azimuths_.size(); ++plane)
   {
@@ -132,6 +200,7 @@ DirectionTable::DirectionTable(
       (azimuths_[plane] - azimuths_[plane - 1]) *
         (belowAngle(plane - 1, last) + belowAngle(plane, last)) / 2);
   }
+  addGuide(cumulative_.data(), azimuths_.size() - 1, planeGuide_);
 }
 
 Vector3 DirectionTable::direction(double polar, double azimuth) const
@@ -182,34 +251,38 @@ double DirectionTable::valueAt(double polar, double azimuth, int side) const
 
 Vector3 DirectionTable::sample(const std::array<double, 2>& u) const
 {
-  const std::size_t last = polar_.size() - 1;
+  const auto last = static_cast<std::uint32_t>(polar_.size() - 1);
   std::size_t plane = 0, next = 0;
-  double azimuth = 2 * kPi * u[0], beside = 0; // the part of the second plane
+  double turn = 2 * kPi * u[0], beside = 0; // the part of the second plane
   if (!isRound())
   {
-    const WeightChoice step = chooseByWeight(cumulative_, u[0]); // the first has no width
-    plane = step.place - 1;
-    next = step.place;
-    beside = sampleLinear(step.rest, belowAngle(plane, last), belowAngle(next, last));
-    azimuth = between(azimuths_[plane], azimuths_[next], beside);
+    const double target = u[0] * cumulative_.back();
+    const auto steps = static_cast<std::uint32_t>(azimuths_.size() - 1);
+    const std::uint32_t* const guide = &planeGuide_[static_cast<std::uint32_t>(u[0] * steps)];
+    plane = stepBelow([&](std::size_t i) { return cumulative_[i]; }, target, guide[0], guide[1]);
+    next = plane + 1;
+    beside =
+      sampleLinear(restOf(target - cumulative_[plane], cumulative_[next] - cumulative_[plane]),
+        belowAngle(plane, last), belowAngle(next, last));
+    turn = beside * (azimuths_[next] - azimuths_[plane]);
   }
-  const auto below = [&](std::size_t angle) {
-    return between(belowAngle(plane, angle), belowAngle(next, angle), beside);
+  const auto value = [&](std::size_t i) { return between(at(plane, i), at(next, i), beside); };
+  const auto below = [&](std::size_t i) {
+    return between(belowAngle(plane, i), belowAngle(next, i), beside);
   };
   const double target = u[1] * below(last);
-  std::size_t first = 0;
-  for (std::size_t count = last; count > 1;)
-  {
-    const std::size_t half = count / 2;
-    first += below(first + half) <= target ? half : 0;
-    count -= half;
-  }
-  const double width = polar_[first + 1] - polar_[first];
-  const double part = restOf(target - below(first), below(first + 1) - below(first));
-  const double from = between(at(plane, first), at(next, first), beside),
-               to = between(at(plane, first + 1), at(next, first + 1), beside);
-  return direction(
-    polar_[first] + placeInStep(polar_[first], width, from, (to - from) / width, part), azimuth);
+  // What lies between two planes reaches a part of its integral between where these reach it.
+  const auto part = static_cast<std::uint32_t>(u[1] * last);
+  const std::uint32_t *const guide = &angleGuide_[plane * polar_.size() + part],
+                             *const nextGuide = &angleGuide_[next * polar_.size() + part];
+  const std::size_t angle =
+    stepBelow(below, target, std::min(guide[0], nextGuide[0]), std::max(guide[1], nextGuide[1]));
+  const double wanted = target - below(angle);
+  const double place = placeInStep(&ofPolar_[angle], polar_[angle + 1] - polar_[angle],
+    value(angle), value(angle + 1), wanted, restOf(wanted, below(angle + 1) - below(angle)));
+  const SinCos height = Turn(place).from(ofPolar_[angle]),
+               around = Turn(turn).from(ofAzimuth_[plane]);
+  return { height.sine * around.cosine, height.sine * around.sine, height.cosine };
 }
 
 }

@@ -3,11 +3,13 @@
 #define irradiance_DirectionTable_h
 
 #include "Geometry/Vector.h"
+#include "Sampling/ElementaryFunctions.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace irradiance
@@ -67,8 +69,10 @@ private:
   Vector3 direction(double polar, double azimuth) const;
 
   std::vector<double> polar_, azimuths_; ///< radians
+  std::vector<SinCos> ofPolar_, ofAzimuth_;
   std::vector<double> values_, below_;
   std::vector<double> cumulative_; ///< integrals up to the end of each step of azimuth
+  std::vector<std::uint32_t> angleGuide_, planeGuide_; ///< see addGuide()
 };
 
 template <class Visit>

@@ -2,6 +2,7 @@
 #ifndef irradiance_WalkPlan_h
 #define irradiance_WalkPlan_h
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -70,7 +71,15 @@ public:
   /// 1 <= `first` <= `most` walks, numbered from `firstWalk` on. With `first` == `most` there is
   /// one round.
   WalkPlan(
-    std::uint32_t first, std::uint32_t most, std::uint32_t replicates, std::uint32_t firstWalk = 0);
+    std::uint32_t first, std::uint32_t most, std::uint32_t replicates, std::uint32_t firstWalk = 0)
+    : replicates_(replicates, firstWalk)
+  {
+    for (std::uint64_t walks = first; endWalk() - firstWalk < most; walks *= 2)
+    {
+      const auto all = static_cast<std::uint32_t>(std::min<std::uint64_t>(walks, most));
+      addRound(firstWalk + all - endWalk());
+    }
+  }
   /// Has no rounds yet.
   explicit WalkPlan(const Replicates& replicates)
     : replicates_(replicates)
@@ -78,7 +87,12 @@ public:
   }
 
   /// Of 1 walk or more; with several replicates, of as many of each.
-  void addRound(std::uint32_t walks);
+  void addRound(std::uint32_t walks)
+  {
+    const std::size_t firstBlock = rounds_.empty() ? 0 : rounds_.back().endBlock;
+    rounds_.push_back({ endWalk(), endWalk() + walks, firstBlock,
+      firstBlock + (std::size_t{ walks } + kWalksPerBlock - 1) / kWalksPerBlock });
+  }
   void dropRounds(std::size_t kept) { rounds_.resize(kept); }
 
   const std::vector<WalkRound>& rounds() const { return rounds_; }
@@ -106,9 +120,21 @@ public:
   }
 
   /// The block that holds a walk.
-  std::size_t blockOf(std::uint32_t walk) const;
-  std::uint32_t firstWalkOf(std::size_t block) const;
-  std::uint32_t walksIn(std::size_t block) const;
+  std::size_t blockOf(std::uint32_t walk) const
+  {
+    const WalkRound& round = rounds_[roundOf(walk)];
+    return round.firstBlock + (walk - round.firstWalk) / kWalksPerBlock;
+  }
+  std::uint32_t firstWalkOf(std::size_t block) const
+  {
+    const WalkRound& round = roundOfBlock(block);
+    return round.firstWalk + static_cast<std::uint32_t>(block - round.firstBlock) * kWalksPerBlock;
+  }
+  std::uint32_t walksIn(std::size_t block) const
+  {
+    return std::min<std::uint32_t>(
+      kWalksPerBlock, roundOfBlock(block).endWalk - firstWalkOf(block));
+  }
 
   friend bool operator==(const WalkPlan& a, const WalkPlan& b)
   {
@@ -118,7 +144,11 @@ public:
   }
 
 private:
-  const WalkRound& roundOfBlock(std::size_t block) const;
+  const WalkRound& roundOfBlock(std::size_t block) const
+  {
+    return *std::find_if(rounds_.begin(), rounds_.end(),
+      [block](const WalkRound& round) { return block < round.endBlock; });
+  }
 
   Replicates replicates_;
   std::vector<WalkRound> rounds_;
