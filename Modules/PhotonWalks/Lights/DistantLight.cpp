@@ -161,7 +161,7 @@ bool DistantLight::mayComeTo(const Vector3& normal) const
   const double level = std::hypot(normal[0], normal[1]);
   return std::any_of(parts_->begin(), parts_->end(), [&](const Part& part) {
     const double height = normal[2] > 0 ? part.upper : part.lower;
-    return normal.dot(part.middle) > -std::sin(part.radius) &&
+    return normal.dot(part.middle) > -part.radius && // more than its sine
       (!isSky() || normal[2] * height + level > 0);
   });
 }
