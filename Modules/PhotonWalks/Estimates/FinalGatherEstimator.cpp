@@ -60,12 +60,13 @@ void takeSky(const WalkSets& walks, CellSums& sums, Execution& execution)
   for (const WalkSet& set : walks.sets())
   {
     std::size_t round = 0;
-    set.forEachGathered([&](const DirectGather& gathered) {
-      if (set.source().isSky())
-      {
-        gathered.light().addTo(sums, round++, -1, {}, cancelPoint);
-      }
-    });
+    const auto take = [&](const DirectGather& gathered) {
+      gathered.light().addTo(sums, round++, -1, {}, cancelPoint);
+    };
+    if (set.source().isSky())
+    {
+      set.forEachGathered(take);
+    }
   }
 }
 

@@ -149,12 +149,10 @@ void FinalGather::gather(
     }
     start += side.starts;
   }
-  for (FollowedPaths& paths : unit.rounds)
+  while (!scene.keepsPaths && !unit.rounds.empty())
   {
-    if (!scene.keepsPaths)
-    {
-      forgotten_.giveBack(std::make_unique<FollowedPaths>(std::move(paths)));
-    }
+    forgotten_.giveBack(std::make_unique<FollowedPaths>(std::move(unit.rounds.back())));
+    unit.rounds.pop_back();
   }
 }
 

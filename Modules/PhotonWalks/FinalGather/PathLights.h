@@ -16,15 +16,17 @@ namespace irradiance
 /// Of a point that a path hits, see lightsOf(): the path is one of many.
 constexpr std::uint32_t kSamplesOfHit = 4;
 
-/// All lights but those of foundLamps(), whether walks start there or cells gather what they send,
-/// for points that ask them by themselves; or only some of these. The arguments must outlive what
-/// is returned. `samples`: of each point, for each group of lights.
+/// Which lights are asked.
 enum class Asked
 {
   All,
-  ButSky,  ///< to which rays escape
+  ButSky,  ///< rays escape to it
   Gathered ///< by cells
 };
+
+/// Lights, but those of foundLamps(), for points that ask them by themselves, whether walks start
+/// there or cells gather what they send. The arguments must outlive what is returned. `samples`: of
+/// each point, for each group of lights.
 std::deque<PointDirectLight> lightsOf(const WalkSets& walks, const Frame& frame, std::uint64_t seed,
   std::uint32_t samples, Asked which, std::size_t mostWeights = LampChoice::kMost);
 

@@ -78,6 +78,18 @@ Shot shootWalks(const SceneObjects& objects, std::uint32_t walks, std::uint64_t 
   return shootNew(objects, withSeed(settings, seed));
 }
 
+/// By Method Gathered, or GatheredEverywhere.
+Shot shootGathered(
+  const SceneObjects& objects, std::uint32_t walks, std::uint64_t seed, bool everywhere)
+{
+  EngineSettings settings;
+  settings.numberOfWalks = walks;
+  settings.gathersDirectLight = true;
+  settings.cellEstimate = CellEstimate::Gathered;
+  settings.gathersEverywhere = everywhere;
+  return shootNew(objects, withSeed(settings, seed));
+}
+
 using Way = Shot (*)(const SceneObjects& objects, std::uint32_t walks, std::uint64_t seed);
 
 /// Of all rounds: the square of the noise in units of the mean, the median time, the irradiance.
@@ -111,7 +123,10 @@ void compareWithDiffuse(const Sizes& sizes)
   const std::vector<CellSet> sets = cellSetsOf(rooms[0]);
   const CellField areas = areasOf(rooms[0]);
   const std::vector<std::pair<std::string, Way>> ways{ { "walks", shootWalks },
-    { "default", static_cast<Way>(shootDefault) } };
+    { "default", static_cast<Way>(shootDefault) },
+    { "Gathered", [](const SceneObjects& objects, std::uint32_t walks, std::uint64_t seed) {
+       return shootGathered(objects, walks, seed, false);
+     } } };
   std::vector<std::vector<std::vector<Shot>>> shots(
     rooms.size(), std::vector<std::vector<Shot>>(ways.size()));
   for (int round = -1; round < sizes.rounds; ++round)
@@ -239,13 +254,7 @@ void compareStreet(const std::string& name, const test::RadianceOf& radiance,
     { "a tenth of the walks",
       [&](std::uint64_t seed) { return shootDefault(street, sizes.walks / 10, seed); } },
     { "GatheredEverywhere",
-      [&](std::uint64_t seed) {
-        EngineSettings settings;
-        settings.numberOfWalks = sizes.walks / 40;
-        settings.gathersDirectLight = settings.gathersEverywhere = true;
-        settings.cellEstimate = CellEstimate::Gathered;
-        return shootNew(street, withSeed(settings, seed));
-      } }
+      [&](std::uint64_t seed) { return shootGathered(street, sizes.walks / 40, seed, true); } }
   };
   std::vector<double> costs;
   for (const auto& [who, shoot] : contestants)
