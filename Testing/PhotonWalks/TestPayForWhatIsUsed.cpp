@@ -169,8 +169,9 @@ TEST(HistoryBytes, AreWhatIsAllocated)
          Shoot(1).gathered().errors(8), Shoot(1).finalGather(16).everywhere() })
   {
     const Bytes few = bytesOf(objects, settings, 150000), many = bytesOf(objects, settings, 600000);
-    EXPECT_NEAR((many.told - few.told) / (many.allocated - few.allocated), 1, 0.1);
-    EXPECT_GT(many.told, 0.75 * many.allocated); // large pages are whole ones
+    // Each of the largest vectors begins at a page of 2 MiB, and ends with one.
+    EXPECT_NEAR((many.told - few.told) / (many.allocated - few.allocated), 1, 0.25);
+    EXPECT_GT(many.told, 0.7 * many.allocated);
     EXPECT_LT(many.told, 1.05 * many.allocated);
   }
 }
