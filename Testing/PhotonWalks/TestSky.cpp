@@ -238,8 +238,8 @@ TEST_P(SkyLight, ThroughAHoleInTheRoof)
   expectNear(toldOf(roof), truth, "on the roof");
 }
 
-// Floors and walls that reflect, and something that moves: all ways agree.
-TEST_P(SkyLight, ReflectedBetweenHouses)
+/// Floor and walls that reflect, and something that moves.
+SceneObjects yardWithHouse()
 {
   ObjectBuilder yard;
   yard.addQuad({ -2, -2, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, 4, 4, grey(0.5));
@@ -247,8 +247,13 @@ TEST_P(SkyLight, ReflectedBetweenHouses)
   Sky sky = skyOf(box({ -3, -3, -0.5 }, { 3, 3, 3 }), cieSky(12, 100), 0.3);
   sky.towardsSun = skyDirection(30, 100);
   sky.sunIrradiance = { 6 };
-  const SceneObjects objects{ yard.build(), { ball({ 0.5, 0, 0.6 }, 0.4, 4, grey(0.7)) },
-    std::make_shared<Sky>(sky) };
+  return { yard.build(), { ball({ 0.5, 0, 0.6 }, 0.4, 4, grey(0.7)) }, std::make_shared<Sky>(sky) };
+}
+
+// All ways agree.
+TEST_P(SkyLight, ReflectedBetweenHouses)
+{
+  const SceneObjects objects = yardWithHouse();
   EngineSettings other = GetParam().settings;
   other.seed = 7;
   other.replicates = kSkyReplicates;
@@ -263,6 +268,20 @@ const SkyWay kWays[] = { { "Walks", Shoot(scaled(1 << 18)) },
 
 INSTANTIATE_TEST_SUITE_P(Ways, SkyLight, testing::ValuesIn(kWays),
   [](const auto& info) { return std::string(info.param.name); });
+
+// Of few walks no sum is read, but direct light: paths go on from there, and do not count the sky
+// again where they escape.
+TEST(SkyByRays, GoOnWhereWalksAreFew)
+{
+  const SceneObjects objects = yardWithHouse();
+  const auto watts = [&](const EngineSettings& settings) {
+    const UpdatedEngine engine(objects, settings);
+    return estimatedWattsOn(engine, 0, 0);
+  };
+  const double shot = watts(Shoot(1 << 20));
+  EXPECT_NEAR(watts(Shoot(100).finalGather(512).everywhere()), shot, 0.01 * shot);
+  EXPECT_NEAR(watts(Shoot(100).finalGather(512).everywhere().unbiased()), shot, 0.01 * shot);
+}
 
 // No ray starts below the ground, where neither the sky nor anything else is.
 TEST(SkyByRays, StartWhereThereMayBeLight)
