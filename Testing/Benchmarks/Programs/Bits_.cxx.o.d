@@ -394,6 +394,7 @@
  /root/eng/Modules/PhotonWalks/Lights/DistantLight.h \
  /root/eng/Modules/RayCasting/Geometry/Ray.h \
  /root/eng/Modules/PhotonWalks/Sampling/DirectionTable.h \
+ /root/eng/Modules/PhotonWalks/Sampling/ElementaryFunctions.h \
  /root/eng/Modules/PhotonWalks/Surfaces/Sky.h /usr/include/c++/12/memory \
  /usr/include/c++/12/bits/stl_raw_storage_iter.h \
  /usr/include/c++/12/bits/align.h /usr/include/c++/12/bit \
@@ -438,7 +439,6 @@
  /root/eng/Modules/PhotonWalks/Surfaces/ObjectSides.h \
  /root/eng/Modules/RayCasting/Meshes/SolidSides.h \
  /root/eng/Modules/PhotonWalks/Sampling/DirectionSampling.h \
- /root/eng/Modules/PhotonWalks/Sampling/ElementaryFunctions.h \
  /root/eng/Modules/PhotonWalks/Surfaces/SceneCells.h \
  /usr/include/c++/12/variant /usr/include/c++/12/bits/parse_numbers.h \
  /root/eng/Modules/PhotonWalks/Lights/LightTable.h \
