@@ -57,18 +57,11 @@ void addKnown(const FinalGatherScene& scene, const PathSegment& segment, const B
   }
 }
 
-/// Where a path escapes.
-void addSky(const FinalGatherScene& scene, const PathSegment& segment, const Bands& weight,
-  double quantaPerWatt, Bands& sum)
+/// What the sky sends along a path that escapes: as of a lamp, the exitance with its radiance, W/m2.
+Bands emittedBySky(const FinalGatherScene& scene, const PathSegment& escape)
 {
-  // Rays have the density cos(theta) / pi.
-  const Vector3 towards = Vector3(segment.to[0], segment.to[1], segment.to[2]).normalized();
-  const double exitance = kPi * quantaPerWatt * scene.sky->distant()->radiancePerWatt(towards);
-  for (int band = 0; band < scene.known.bands(); ++band)
-  {
-    const auto i = static_cast<std::size_t>(band);
-    sum[i] += weight[i] * exitance * scene.sky->flux[i];
-  }
+  const Vector3 towards = Vector3(escape.to[0], escape.to[1], escape.to[2]).normalized();
+  return kPi * scene.sky->distant()->radiancePerWatt(towards) * scene.sky->flux;
 }
 
 /// What a path brings to a replicate.
@@ -80,6 +73,13 @@ void add(const FinalGatherScene& scene, const FollowedPaths::Path& path, std::ui
   const double* value = path.values;
   Bands weight{ 1.0 / scene.raysOfReplicate() };
   bool countsSky = scene.sky != nullptr;
+  const auto addEmitted = [&](const Bands& emitted, double part) {
+    for (int band = 0; band < bands; ++band)
+    {
+      const auto i = static_cast<std::size_t>(band);
+      sum[i] += part * weight[i] * emitted[i] * quantaPerWatt;
+    }
+  };
   for (const PathSegment* segment = path.begin; segment != path.end; ++segment)
   {
     const bool isHit = segment->triangle != SceneTriangles::kNone;
@@ -92,7 +92,7 @@ void add(const FinalGatherScene& scene, const FollowedPaths::Path& path, std::ui
     {
       if (countsSky)
       {
-        addSky(scene, *segment, weight, quantaPerWatt, sum);
+        addEmitted(emittedBySky(scene, *segment), 1);
       }
       return;
     }
@@ -109,13 +109,9 @@ void add(const FinalGatherScene& scene, const FollowedPaths::Path& path, std::ui
     if (isMetLamp(scene, *segment))
     {
       const SceneCell cell = cellOf(scene, *segment);
-      const Bands emitted = emittedFrom(
-        scene.frame.objects[cell.object], cell.cell, segment->isFront, backAlong(*segment));
-      for (int band = 0; band < bands; ++band)
-      {
-        const auto i = static_cast<std::size_t>(band);
-        sum[i] += lampWeight * weight[i] * emitted[i] * quantaPerWatt;
-      }
+      addEmitted(emittedFrom(scene.frame.objects[cell.object], cell.cell, segment->isFront,
+                   backAlong(*segment)),
+        lampWeight);
     }
   }
 }
