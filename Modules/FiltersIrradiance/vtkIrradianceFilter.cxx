@@ -33,6 +33,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <new>
@@ -267,35 +268,45 @@ public:
     }
     const irradiance::LeftToScene left{ this->Filter->GetDirectLight() == AutomaticDirectLight,
       this->Filter->GetCellEstimate() == AutomaticEstimate };
-    settings = this->Engine->chosen(left, this->Scene.objects(), settings, execution);
     KeepWhatIsRead(settings, request, shown.count > 0, ranks);
     const auto count = static_cast<std::size_t>(ranks.count());
-    irradiance::requireMemory(this->Scene.objects(), settings, count);
+    const std::vector<irradiance::LampGroup> groups = this->LampGroups();
     try
     {
-      this->Engine->update(this->Scene.objects(), settings, execution);
+      this->Groups->update(
+        { this->Scene.objects(), groups, this->Scene.groupOfSky(), left, settings,
+          [&](const auto& objects, const auto& chosen) {
+            settings = chosen;
+            irradiance::requireMemory(objects, chosen, count);
+          } },
+        execution);
     }
     catch (const std::bad_alloc&)
     {
       throw std::runtime_error(irradiance::outOfMemory(this->Scene.objects(), settings, count));
     }
-    if (this->Engine->reachedRelativeError() > settings.targetRelativeError)
-    {
-      vtkWarningWithObjectMacro(
-        this->Filter, << TargetMissed(*this->Engine, settings, this->Filter->GetMaximumEffort()));
-    }
+    this->Groups->forEachLit([&](const irradiance::LightGroup& group) {
+      if (group.engine->reachedRelativeError() > settings.targetRelativeError)
+      {
+        vtkWarningWithObjectMacro(
+          this->Filter, << (this->Groups->areSeveral() ? "light group " + group.name + ": " : "")
+                        << TargetMissed(*group.engine, settings, this->Filter->GetMaximumEffort()));
+      }
+    });
     const irradiance::CancelPoint writing = irradiance::cancelPointOf(execution, 1);
     this->WarnOfExcess();
     this->Advise(inputs, writing);
-    irradiance::writeOutput(*this->Engine, this->Scene, inputs,
-      this->Filter->GetComputeStandardError() != 0,
-      irradiance::isRequested(request, irradiance::UpstreamRequest::Replicates), writing, output);
+    irradiance::writeOutput(*this->Groups, this->Scene, inputs,
+      { this->Filter->GetComputeStandardError() != 0,
+        irradiance::isRequested(request, irradiance::UpstreamRequest::Replicates),
+        this->Filter->GetComputeLightGroups() != 0 },
+      writing, output);
     std::vector<irradiance::PieceCells> pieces;
     for (const irradiance::InputPart* part : irradiance::allPartsOf(inputs))
     {
       pieces.push_back(part->cells);
     }
-    irradiance::PhotonSource::attach(output, this->Engine, std::move(pieces));
+    irradiance::PhotonSource::attach(output, this->Groups, std::move(pieces));
     if (shown.count > 0)
     {
       irradiance::ProgressSpan atItsEnd(execution, 1, 1);
@@ -323,18 +334,49 @@ public:
   std::array<int, 4> MethodParts = PartsOfMethods[Automatic]; ///< by MethodPart
   vtkIdType MostWalks = -1; ///< of a target, by its old name; -1: by MaximumEffort
   int MostRays = -1;        ///< likewise
+  std::map<std::string, irradiance::Bands> Factors; ///< of light groups, by name
 
 private:
+  /// With the factors of the inputs times those of the user.
+  std::vector<irradiance::LampGroup> LampGroups()
+  {
+    std::vector<irradiance::LampGroup> groups = this->Scene.lampGroups();
+    std::string unknown;
+    for (const auto& [name, factor] : this->Factors)
+    {
+      const auto group = std::find_if(groups.begin(), groups.end(),
+        [&named = name](const irradiance::LampGroup& some) { return some.name == named; });
+      if (group == groups.end())
+      {
+        unknown = name;
+        continue;
+      }
+      std::transform(factor.begin(), factor.end(), group->factor.begin(), group->factor.begin(),
+        std::multiplies<double>());
+    }
+    if (std::exchange(this->UnknownGroup, unknown) != unknown && !unknown.empty())
+    {
+      vtkWarningWithObjectMacro(this->Filter, << "light group " << unknown
+                                              << " has a factor, but no input says that it is in a "
+                                              << irradiance::kLightGroup << " of this name");
+    }
+    return groups;
+  }
+
   /// Whenever an update begins to have more light than there is.
   void WarnOfExcess()
   {
-    const irradiance::IrradianceEngine& engine = *this->Engine;
     std::string excess;
-    for (int band = 0; band < irradiance::Power::kMaxBands && excess.empty(); ++band)
-    {
-      excess = irradiance::excessWarning(engine.watts(engine.balance().emitted[band]),
-        engine.watts(engine.balance().escaped[band]), engine.escapedError(band));
-    }
+    this->Groups->forEachLit([&](const irradiance::LightGroup& group) {
+      const irradiance::IrradianceEngine& engine = *group.engine;
+      for (int band = 0; band < irradiance::Power::kMaxBands && excess.empty(); ++band)
+      {
+        excess =
+          irradiance::excessWarning(group.shown(engine.watts(engine.balance().emitted[band]), band),
+            group.shown(engine.watts(engine.balance().escaped[band]), band),
+            group.shown(engine.escapedError(band), band));
+      }
+    });
     if (!std::exchange(this->HasExcess, !excess.empty()) && !excess.empty())
     {
       vtkWarningWithObjectMacro(this->Filter, << excess);
@@ -348,8 +390,8 @@ private:
     {
       return;
     }
-    const std::vector<std::string> advice = this->Engine->hasLights()
-      ? irradiance::sceneAdvice(inputs, this->Scene, *this->Engine, cancelPoint)
+    const std::vector<std::string> advice = !this->Groups->all().empty()
+      ? irradiance::sceneAdvice(inputs, this->Scene, *this->Groups, cancelPoint)
       : std::vector<std::string>(
           this->Scene.isUnderSky() ? 0 : 1, irradiance::noLightWarning(this->Filter, inputs));
     this->Scene.forgetNews();
@@ -368,8 +410,8 @@ private:
   irradiance::SceneReader Scene;
   std::uint32_t Processes = 0; ///< that shared the walks when the scene was last read
   /// Shared with the outputs, see PhotonSource.
-  std::shared_ptr<irradiance::IrradianceEngine> Engine =
-    std::make_shared<irradiance::IrradianceEngine>();
+  std::shared_ptr<irradiance::LightGroups> Groups = std::make_shared<irradiance::LightGroups>();
+  std::string UnknownGroup;        ///< the last that was warned of
   std::vector<std::string> Advice; ///< what was probably a mistake when the inputs last changed
   bool HasExcess = false;          ///< the last update had more light than there is
 };
@@ -409,6 +451,40 @@ vtkLinearTransform* vtkIrradianceFilter::GetDynamicTransform(int i)
   const auto& poses = this->Internals->Poses;
   const auto found = poses.find(i);
   return found == poses.end() ? nullptr : found->second.Get();
+}
+
+void vtkIrradianceFilter::SetLightGroupFactor(
+  const char* group, double first, double second, double third)
+{
+  const irradiance::Bands factor{ { first, second, third } };
+  const bool isPossible = std::all_of(
+    factor.begin(), factor.end(), [](double value) { return value >= 0 && std::isfinite(value); });
+  if (!group || !*group || !isPossible)
+  {
+    vtkErrorMacro(<< "the factor of light group " << (group ? group : "(null)") << " is " << first
+                  << ", " << second << ", " << third
+                  << "; a name is needed, and a number that is finite and 0 or more");
+  }
+  else if (const auto [found, isNew] = this->Internals->Factors.emplace(group, factor);
+           isNew || std::exchange(found->second, factor) != factor)
+  {
+    this->Modified();
+  }
+}
+
+double vtkIrradianceFilter::GetLightGroupFactor(const char* group, int band)
+{
+  const auto found = this->Internals->Factors.find(group ? group : "");
+  return found == this->Internals->Factors.end() ? 1
+                                                 : found->second.at(static_cast<std::size_t>(band));
+}
+
+void vtkIrradianceFilter::RemoveAllLightGroupFactors()
+{
+  if (!std::exchange(this->Internals->Factors, {}).empty())
+  {
+    this->Modified();
+  }
 }
 
 void vtkIrradianceFilter::SetDynamicTransformInterpolator(int i, vtkTransformInterpolator*)
@@ -736,6 +812,8 @@ void vtkIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "SeparateSides: " << this->SeparateSides << "\n"
      << indent << "NumberOfSpreadPhotons: " << this->NumberOfSpreadPhotons << "\n"
      << indent << "ComputeStandardError: " << this->ComputeStandardError << "\n"
+     << indent << "ComputeLightGroups: " << this->ComputeLightGroups << "\n"
+     << indent << "Light group factors: " << this->Internals->Factors.size() << "\n"
      << indent << "NumberOfReplicates: " << this->NumberOfReplicates << "\n"
      << indent << "TargetRelativeError: " << this->TargetRelativeError << "\n"
      << indent << "MaximumEffort: " << this->MaximumEffort << "\n"

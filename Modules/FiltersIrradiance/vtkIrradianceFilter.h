@@ -210,6 +210,37 @@ public:
 
   /// @{
   /**
+   * By how much the lamps of a light group shine: all that they emit, in each band, is multiplied by
+   * this; finite, >= 0, 1 if nobody sets it. No walk and no ray is shot for that; a group that is
+   * off (0) takes no time. A lamp is in the group that the cell array `LightGroup` (texts or whole
+   * numbers) names, or the field-data array `LightGroup` of its input; else all lamps of port 0 are
+   * in "Static", and those of connection i of port 1 in "Dynamic i". The field-data array
+   * `LightGroupFactor` of an input does the same as this, over time, and multiplies it. Each group
+   * has NumberOfWalks walks and rays of its own. The fields `LightGroups` and `LightGroupFactors`
+   * tell what groups there are.
+   */
+  void SetLightGroupFactor(const char* group, double factor)
+  {
+    this->SetLightGroupFactor(group, factor, factor, factor);
+  }
+  void SetLightGroupFactor(const char* group, double first, double second, double third);
+  double GetLightGroupFactor(const char* group, int band = 0);
+  void RemoveAllLightGroupFactors();
+  /// @}
+
+  /// @{
+  /**
+   * Whether what each light group brings is an array of its own, `Irradiance_` and the name of the
+   * group (`IrradianceFront_`..., with ComputeStandardError their errors). These add up to
+   * `Irradiance`, in the order of the names. Default off.
+   */
+  vtkSetMacro(ComputeLightGroups, vtkTypeBool);
+  vtkGetMacro(ComputeLightGroups, vtkTypeBool);
+  vtkBooleanMacro(ComputeLightGroups, vtkTypeBool);
+  /// @}
+
+  /// @{
+  /**
    * Seconds that the repair of an update may take; 0, the default: no limit. Verification does not
    * count, nor does shooting if UpdateMode is Rebuild or everything has to be shot again. What is
    * left is repaired by the next executions: without motion call Modified() and Update() until
@@ -449,7 +480,7 @@ protected:
   double TargetRelativeError = 0, MaximumEffort = 0, RepairTimeBudget = 0;
   double DefaultDiffuseReflectance = 0.5;
   vtkTypeBool ComputeStandardError = 0, SeparateSides = 0, CacheStaticHits = 0;
-  vtkTypeBool DistributedInput = 0;
+  vtkTypeBool DistributedInput = 0, ComputeLightGroups = 0;
   char* PoseArrayName = nullptr;
   vtkIdType NumberOfOutputWalks = 0, OutputWalksCell = -1;
   int OutputWalksPort = 0, OutputWalksConnection = 0;

@@ -93,7 +93,7 @@ void SetDataTime(vtkInformation* info, vtkDataSet* output)
 class vtkIrradianceProbeFilter::vtkInternals
 {
 public:
-  irradiance::StoredSensors Stored;
+  irradiance::GroupSensors Stored;
   irradiance::OldNames OldNames;
 };
 
@@ -155,8 +155,8 @@ void vtkIrradianceProbeFilter::Compute(vtkDataSet* input, vtkDataObject* scene, 
   const irradiance::PhotonSource source(scene, "the source", !gathers);
   irradiance::SmpExecution execution = irradiance::executionOf(this);
   output->ShallowCopy(input);
-  const irradiance::SensorRun run{ sensors, source.engine(), execution, output };
-  const int bands = source.engine()->objects().staticObject.material->bands;
+  const irradiance::SensorRun run{ sensors, *source.groups(), execution, output };
+  const int bands = source.bands();
   const std::string warning = gathers
     ? irradiance::gatherLight(run,
         irradiance::addGatheredLight(

@@ -20,6 +20,9 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkOutgoingRadianceFilter);
@@ -28,26 +31,54 @@ vtkStandardNewMacro(vtkOutgoingRadianceFilter);
 class vtkOutgoingRadianceFilter::vtkInternals
 {
 public:
-  const irradiance::OutgoingRadiance& RadianceOf(
-    const irradiance::PhotonSource& source, int samples, irradiance::Execution& execution)
+  using Light = irradiance::OutgoingRadiance::Light;
+
+  /// Needed before at().
+  void Prepare(const std::shared_ptr<irradiance::LightGroups>& groups, int samples,
+    irradiance::Execution& execution)
   {
-    const std::shared_ptr<irradiance::IrradianceEngine>& engine = source.engine();
-    if (!this->Radiance || this->Engine != engine || this->State != engine->state() ||
-      this->Samples != samples)
+    if (this->Groups == groups && this->State == groups->state() && this->Samples == samples)
     {
-      this->Radiance.reset();
-      this->Radiance = std::make_unique<irradiance::OutgoingRadiance>(
-        *engine, static_cast<std::uint32_t>(samples), execution);
-      this->Engine = engine;
-      this->State = engine->state();
-      this->Samples = samples;
+      return;
     }
-    return *this->Radiance;
+    this->Radiances.clear();
+    this->Groups.reset(); // until all is prepared
+    groups->forEachLit([&](const irradiance::LightGroup& group) {
+      this->Radiances.emplace_back(group,
+        std::make_unique<irradiance::OutgoingRadiance>(
+          *group.engine, static_cast<std::uint32_t>(samples), execution));
+    });
+    this->Groups = groups;
+    this->State = groups->state();
+    this->Samples = samples;
+  }
+
+  /// Of all groups. May be called by several threads.
+  std::vector<Light> At(
+    const std::vector<irradiance::SceneCell>& cells, const irradiance::Eye& eye) const
+  {
+    std::vector<Light> sums(cells.size());
+    for (const auto& [group, radiance] : this->Radiances)
+    {
+      const std::vector<Light> lights = radiance->at(cells, eye);
+      for (std::size_t i = 0; i < sums.size(); ++i)
+      {
+        for (int band = 0; band < irradiance::Power::kMaxBands; ++band)
+        {
+          const auto at = static_cast<std::size_t>(band);
+          double& error = sums[i].standardError[at];
+          sums[i].value[at] += group.shown(lights[i].value[at], band);
+          error = std::hypot(error, group.shown(lights[i].standardError[at], band));
+        }
+      }
+    }
+    return sums;
   }
 
 private:
-  std::unique_ptr<irradiance::OutgoingRadiance> Radiance;
-  std::shared_ptr<irradiance::IrradianceEngine> Engine;
+  std::vector<std::pair<irradiance::LightGroup, std::unique_ptr<irradiance::OutgoingRadiance>>>
+    Radiances;
+  std::shared_ptr<irradiance::LightGroups> Groups;
   std::uint64_t State = 0;
   int Samples = 0;
 };
@@ -101,7 +132,7 @@ struct Unit
 std::vector<Unit> MakeUnits(const irradiance::PhotonSource& source, vtkIdType size, bool haveErrors,
   vtkMultiBlockDataSet* output)
 {
-  const int bands = source.engine()->objects().staticObject.material->bands;
+  const int bands = source.bands();
   std::vector<Unit> units;
   source.forEachPart(output, [&](vtkPolyData* polyData, const irradiance::PartCells& cells) {
     const irradiance::LightArrays arrays = AddArrays(polyData, bands, haveErrors);
@@ -147,8 +178,7 @@ void vtkOutgoingRadianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBlo
   const irradiance::Eye eye = EyeOf(this);
   const irradiance::PhotonSource source(input, "the input", false);
   irradiance::SmpExecution execution = irradiance::executionOf(this);
-  const irradiance::OutgoingRadiance& radiance =
-    this->Internals->RadianceOf(source, this->NumberOfSpecularSamples, execution);
+  this->Internals->Prepare(source.groups(), this->NumberOfSpecularSamples, execution);
   irradiance::copyLeaves(input, output);
   constexpr int raysTogether = 4096;
   const vtkIdType cellsTogether = std::max(1, raysTogether / this->NumberOfSpecularSamples);
@@ -162,7 +192,7 @@ void vtkOutgoingRadianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBlo
       cells.push_back(unit.cells[cell]);
     }
     vtkIdType cell = unit.begin;
-    for (const irradiance::OutgoingRadiance::Light& light : radiance.at(cells, eye))
+    for (const irradiance::OutgoingRadiance::Light& light : this->Internals->At(cells, eye))
     {
       unit.arrays.set(cell++, light);
     }

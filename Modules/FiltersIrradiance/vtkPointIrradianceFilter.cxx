@@ -10,7 +10,7 @@
 #include "Pipeline/FilterRun.h"
 #include "Pipeline/PhotonSource.h"
 #include "Pipeline/WalkMemory.h"
-#include "Views/StoredSensors.h"
+#include "Views/GroupSensors.h"
 
 #include "vtkCellData.h"
 #include "vtkInformation.h"
@@ -22,6 +22,8 @@
 #include "vtkPolyData.h"
 
 #include <limits>
+#include <optional>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkPointIrradianceFilter);
@@ -29,7 +31,7 @@ vtkStandardNewMacro(vtkPointIrradianceFilter);
 class vtkPointIrradianceFilter::vtkInternals
 {
 public:
-  irradiance::StoredSensors Stored;
+  irradiance::GroupSensors Stored;
   irradiance::OldNames OldNames;
 };
 
@@ -80,6 +82,27 @@ std::vector<irradiance::LightArrays> AddArrays(
   std::vector<irradiance::LightArrays> arrays{ add("") };
   points->SetActiveScalars(irradiance::pointIrradianceName().c_str());
   return arrays;
+}
+
+/// Sides are dark to which no group brings light.
+irradiance::CellShapes DarkShapesOf(
+  const irradiance::LightGroups& groups, const irradiance::CancelPoint& cancelPoint)
+{
+  std::optional<irradiance::CellShapes> all;
+  groups.forEachLit([&](const irradiance::LightGroup& group) {
+    irradiance::CellShapes shapes =
+      irradiance::darkShapesOf(group.engine->walks(), group.engine->frame(), cancelPoint);
+    for (std::size_t cell = 0; all && cell < shapes.size(); ++cell)
+    {
+      all->setDark(cell, (*all)[cell].isFrontDark && shapes[cell].isFrontDark,
+        (*all)[cell].isBackDark && shapes[cell].isBackDark);
+    }
+    if (!all)
+    {
+      all = std::move(shapes);
+    }
+  });
+  return *all;
 }
 
 /// Without cells, see isEmptyPieceRequested().
@@ -158,32 +181,31 @@ int vtkPointIrradianceFilter::FillInputPortInformation(int, vtkInformation* info
 void vtkPointIrradianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)
 {
   const irradiance::PhotonSource source(input, "the input", false);
-  const irradiance::IrradianceEngine& engine = *source.engine();
+  const irradiance::LightGroups& groups = *source.groups();
+  const irradiance::IrradianceEngine& engine = groups.any();
   irradiance::SmpExecution execution = irradiance::executionOf(this);
   const irradiance::CancelPoint reading = irradiance::cancelPointOf(execution, 0);
   irradiance::copyLeaves(input, output);
   const double rounding =
     irradiance::sensorClearance(irradiance::boundsBesideLamps(engine.objects()));
-  const irradiance::CellShapes shapes =
-    irradiance::darkShapesOf(engine.walks(), engine.frame(), reading);
+  const irradiance::CellShapes shapes = DarkShapesOf(groups, reading);
   std::vector<Surface> surfaces;
   source.forEachPart(output, [&](vtkPolyData* polyData, const irradiance::PartCells& cells) {
     surfaces.push_back({ polyData,
       irradiance::pointFacetsOf(polyData, engine.objects()[cells.first.object].isMirrored(),
         vtkMath::RadiansFromDegrees(this->FeatureAngle), rounding, cells, shapes, reading) });
   });
-  irradiance::StoredSensors& stored = this->Internals->Stored;
+  irradiance::GroupSensors& stored = this->Internals->Stored;
   const std::vector<irradiance::Sensor> sensors = SensorsOf(surfaces);
   const auto rays = static_cast<std::uint32_t>(this->NumberOfRays);
-  stored.update(
-    source.engine(), sensors, rays, irradiance::mayKeepRays(sensors.size(), rays), execution);
+  stored.update(groups, sensors, rays, irradiance::mayKeepRays(sensors.size(), rays), execution);
   const Replicates dark(engine.walks().plan().replicates().count());
   const Replicates* next = stored.replicates().data();
   for (const Surface& surface : surfaces)
   {
     next = WritePoints(surface,
-      AddArrays(surface.output, engine.objects().staticObject.material->bands,
-        irradiance::haveErrors(input), engine.settings().separateSides),
+      AddArrays(surface.output, source.bands(), irradiance::haveErrors(input),
+        engine.settings().separateSides),
       dark, next);
   }
 }

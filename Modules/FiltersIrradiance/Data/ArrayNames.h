@@ -53,6 +53,19 @@ inline std::string pointIrradianceName(const std::string& suffix = "")
   return "PointIrradiance" + suffix;
 }
 
+/// The part of an array of light that the lamps of a group bring.
+inline std::string nameOfGroup(const std::string& array, const std::string& group)
+{
+  return array + "_" + group;
+}
+
+/// Of lamps: cell or field data.
+constexpr const char* kLightGroup = "LightGroup";
+constexpr const char* kLightGroupFactor = "LightGroupFactor";
+/// Field data of vtkIrradianceFilter, if there are groups.
+constexpr const char* kLightGroups = "LightGroups";
+constexpr const char* kLightGroupFactors = "LightGroupFactors";
+
 constexpr const char* kRadiance = "Radiance";
 constexpr const char* kFluenceRate = "FluenceRate";
 constexpr const char* kNumberOfPhotons = "NumberOfPhotons";

@@ -48,6 +48,8 @@ InputConnection connectionOf(vtkAlgorithm* filter, int port, int index, vtkDataO
     InputPart part;
     part.name = name;
     part.polyData = part.piece = polyData;
+    part.connectionFields = leaf == data ? nullptr : data->GetFieldData();
+    part.lampGroup = port == 0 ? kStaticLampGroup : "Dynamic " + std::to_string(index);
     findArrays(filter, part);
     connection.parts.push_back(part);
   };

@@ -14,6 +14,7 @@
 class vtkAbstractArray;
 class vtkAlgorithm;
 class vtkDataObject;
+class vtkFieldData;
 class vtkLinearTransform;
 class vtkPolyData;
 
@@ -38,6 +39,8 @@ struct InputPart
   vtkPolyData* piece = nullptr; ///< what this process has of it: all, unless inputs are distributed
   PieceCells cells;             ///< of the piece
   MaterialArrays<vtkAbstractArray> arrays{};
+  vtkFieldData* connectionFields = nullptr; ///< if the connection has others than the part
+  std::string lampGroup;                    ///< of its lamps, if nobody says another
   AffineMap worldFromPart;         ///< the identity for static parts
   const char* innerPose = nullptr; ///< a field-data array that is part of that; or null
   std::vector<InputWarning> warnings;
@@ -81,6 +84,9 @@ auto allPartsOf(Inputs& inputs)
   parts.insert(parts.end(), dynamics.begin(), dynamics.end());
   return parts;
 }
+
+/// The group of lamps that are static, if nobody says another.
+constexpr const char* kStaticLampGroup = "Static";
 
 /// A static connection. Throws InputError for a leaf that is no polydata.
 InputConnection staticConnection(vtkAlgorithm* filter, int index, vtkDataObject* data);

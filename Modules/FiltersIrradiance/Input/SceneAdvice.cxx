@@ -55,14 +55,21 @@ struct AdvisedPart
 class SceneAdvice
 {
 public:
-  SceneAdvice(const SceneInputs& inputs, const SceneReader& scene, const IrradianceEngine& engine,
+  SceneAdvice(const SceneInputs& inputs, const SceneReader& scene, const LightGroups& groups,
     const CancelPoint& cancelPoint)
     : scene_(scene)
     , objects_(scene.objects())
-    , engine_(engine)
+    , groups_(groups)
+    , engine_(groups.any())
     , cancelPoint_(cancelPoint)
-    , covered_(findCoveredLamps(engine, cancelPoint))
   {
+    groups.forEachLit([&](const LightGroup& group) {
+      for (CoveredLamps& lamps : findCoveredLamps(*group.engine, cancelPoint))
+      {
+        lamps.watts = group.shown(lamps.watts, 0);
+        covered_.push_back(lamps);
+      }
+    });
     // Small closed rooms, as most are, pay no more than this.
     if (escaped() > 0 || objects_.worldBounds().size() > kLargePart || !covered_.empty() ||
       isUnlit())
@@ -85,25 +92,29 @@ public:
 
 private:
   /// W, of all bands.
-  double watts(const Power& power) const
+  double watts(Power PowerBalance::*power) const
   {
     double sum = 0;
     for (int band = 0; band < scene_.bands(); ++band)
     {
-      sum += static_cast<double>(power[band]);
+      sum += groups_.sum(band, [&](const IrradianceEngine& engine) {
+        return engine.watts((engine.balance().*power)[band]);
+      });
     }
-    return engine_.watts(sum);
+    return sum;
   }
 
   double escaped() const
   {
     // Gathered light is an estimate: what so little of it says may be noise.
     constexpr double kSure = 5;
-    const double watts = this->watts(engine_.balance().escaped);
+    const double watts = this->watts(&PowerBalance::escaped);
     double noise = 0;
     for (int band = 0; engine_.settings().gathersDirectLight && band < scene_.bands(); ++band)
     {
-      noise += kSure * engine_.escapedError(band);
+      noise += kSure * groups_.sumOfErrors(band, [band](const IrradianceEngine& engine) {
+        return engine.escapedError(band);
+      });
     }
     return watts < noise ? 0 : watts;
   }
@@ -149,7 +160,6 @@ private:
   {
     bool hasOthers = false;
     ThrottledCancelPoint pace(cancelPoint_);
-    const CellSums& sums = engine_.sums();
     for (std::uint32_t object = 0; object < objects_.size(); ++object)
     {
       const std::size_t cells = objects_[object].material->numberOfCells;
@@ -163,7 +173,8 @@ private:
         hasOthers = true;
         for (int band = 0; band < scene_.bands(); ++band)
         {
-          if (sums.sum({ cell }, band) != 0)
+          if (groups_.count(
+                [&](const auto& engine) { return engine.sums().sum({ cell }, band); }) != 0)
           {
             return false;
           }
@@ -300,7 +311,7 @@ private:
     double area = 0;
     engine_.cells().numbers().forEach(
       [&](const SceneCell& cell) { area += engine_.cells().area(cell); });
-    const double emitted = watts(engine_.balance().emitted);
+    const double emitted = watts(&PowerBalance::emitted);
     if (!(emitted > 0 && emitted < kThinLight * area))
     {
       return {};
@@ -339,7 +350,8 @@ private:
 
   const SceneReader& scene_;
   const SceneObjects& objects_;
-  const IrradianceEngine& engine_;
+  const LightGroups& groups_;
+  const IrradianceEngine& engine_; ///< of any group
   const CancelPoint& cancelPoint_;
   std::vector<CoveredLamps> covered_;
   std::vector<AdvisedPart> parts_; ///< all, in order; empty where there is nothing to say
@@ -358,9 +370,9 @@ std::string excessWarning(double emitted, double escaped, double error)
 }
 
 std::vector<std::string> sceneAdvice(const SceneInputs& inputs, const SceneReader& scene,
-  const IrradianceEngine& engine, const CancelPoint& cancelPoint)
+  const LightGroups& groups, const CancelPoint& cancelPoint)
 {
-  return SceneAdvice(inputs, scene, engine, cancelPoint).warnings();
+  return SceneAdvice(inputs, scene, groups, cancelPoint).warnings();
 }
 
 }

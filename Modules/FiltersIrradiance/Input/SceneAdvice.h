@@ -3,7 +3,7 @@
 #define irradiance_SceneAdvice_h
 
 #include "Input/SceneReader.h"
-#include "IrradianceEngine.h"
+#include "LightGroups.h"
 
 #include <string>
 #include <vector>
@@ -19,11 +19,11 @@ std::string excessWarning(double emitted, double escaped, double error);
  * Finds scenes that can be computed but are hardly meant, and says what was probably meant: lamps
  * that shine away from everything or on the backs of others, millimetres where metres are read, and
  * so few walks that rays find nothing to read. Documentation/Extremes.md has the limits and says
- * what is legitimate beyond them. After an update of `engine` with `scene`, which has read the
+ * what is legitimate beyond them. After an update of `groups` with `scene`, which has read the
  * inputs. Warnings, a sentence or two each.
  */
 std::vector<std::string> sceneAdvice(const SceneInputs& inputs, const SceneReader& scene,
-  const IrradianceEngine& engine, const CancelPoint& cancelPoint);
+  const LightGroups& groups, const CancelPoint& cancelPoint);
 
 }
 

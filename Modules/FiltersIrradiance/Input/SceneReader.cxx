@@ -131,6 +131,7 @@ void SceneReader::read(
       checkLit(dynamicParts[i]->name, objects_, object);
     }
   }
+  lampGroups_.readFactors(inputs, bands_);
   checkDigits(objects_);
   flattenManySmall(objects_);
 }
@@ -139,6 +140,7 @@ void SceneReader::convert(
   const InputPart& part, ConvertedPolyData& target, const CancelPoint& cancelPoint)
 {
   hasNews_ = true;
+  const std::size_t firstCell = target.material.numberOfCells;
   MaterialArrays<vtkDataArray> arrays;
   std::transform(part.arrays.begin(), part.arrays.end(), arrays.begin(),
     [&](vtkAbstractArray* array) { return asNumbers(array, part.name); });
@@ -151,6 +153,7 @@ void SceneReader::convert(
       warnings_.add(warning);
     }
   }
+  lampGroups_.read(part, firstCell, target);
 }
 
 void SceneReader::readStatic(
@@ -197,6 +200,7 @@ void SceneReader::adoptSky(const std::vector<const InputPart*>& staticParts)
   isUnderSky_ = found != nullptr;
   if (found)
   {
+    groupOfSky_ = lampGroups_.numberOf(*found);
     sky =
       readSky(found->name, found->polyData, bands_, objects_.staticObject.body->mesh().bounds());
     checkLit(found->name, { {}, {}, sky }, objects_.staticObject);

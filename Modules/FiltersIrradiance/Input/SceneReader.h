@@ -3,6 +3,7 @@
 #define irradiance_SceneReader_h
 
 #include "Input/InputConnection.h"
+#include "Input/LampGroups.h"
 #include "Input/PolyDataConverter.h"
 #include "Surfaces/SceneObjects.h"
 
@@ -32,6 +33,9 @@ public:
 
   const SceneObjects& objects() const { return objects_; }
   int bands() const { return bands_; }
+  /// By number, see Emission::groups.
+  const std::vector<LampGroup>& lampGroups() const { return lampGroups_.groups(); }
+  std::uint32_t groupOfSky() const { return groupOfSky_; }
   /// What bands() is after reading these: 3 if an array has three components, else 1.
   static int countBands(const SceneInputs& inputs);
   /// How many parts are static.
@@ -84,6 +88,8 @@ private:
   std::optional<std::vector<Stamp>> staticStamps_; ///< none: to be read
   std::vector<std::optional<Stamp>> dynamicStamps_;
   SceneObjects objects_;
+  LampGroups lampGroups_;
+  std::uint32_t groupOfSky_ = 0;
   InputWarnings warnings_;
   bool hasNews_ = false, isUnderSky_ = false;
 };

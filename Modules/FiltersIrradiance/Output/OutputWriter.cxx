@@ -20,6 +20,7 @@
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace irradiance
@@ -141,12 +142,13 @@ void writeBlocks(const SceneInputs& inputs, const MakePart& makePart, vtkMultiBl
 
 struct OutputWriter
 {
-  const IrradianceEngine& engine;
+  const LightGroups& groups;
   const SceneReader& scene;
-  bool withErrors, withReplicates;
+  const OutputArrays& arrays;
   const CancelPoint& cancelPoint;
-  const EngineSettings& settings = engine.settings();
-  ErrorEstimate errors = engine.errorEstimate();
+  const IrradianceEngine& any = groups.any();
+  const EngineSettings& settings = any.settings();
+  LightGroupErrors errors{ groups };
 
   void write(const SceneInputs& inputs, vtkMultiBlockDataSet* output) const
   {
@@ -200,44 +202,53 @@ struct OutputWriter
         }
       }
     };
-    add(irradianceName(suffix), bands,
-      [&](const CellSide& cell, int band) { return engine.irradiance(cell, band); });
-    if (withErrors)
+    const std::string name = irradianceName(suffix);
+    add(name, bands, [&](const CellSide& cell, int band) { return groups.irradiance(cell, band); });
+    if (arrays.errors)
     {
-      constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-      add(standardErrorName(irradianceName(suffix)), bands, [&](const CellSide& cell, int band) {
-        return perArea(cell, unknown, [&] { return errors.standardError(cell, band); });
+      add(standardErrorName(name), bands, [&](const CellSide& cell, int band) {
+        constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+        return hasArea(cell) ? errors.standardError(cell, band) : unknown;
       });
     }
-    if (withReplicates)
+    if (arrays.replicates)
     {
       add(photonName(suffix), bands, [&](const CellSide& cell, int band) {
-        return perArea(cell, 0, [&] { return errors.quantaPerPhoton(cell, band); });
+        return hasArea(cell) ? errors.ofPhoton(cell, band) : 0;
       });
     }
-    if (withReplicates && withErrors)
+    if (arrays.replicates && arrays.errors)
     {
-      add(replicatesName(suffix), static_cast<int>(errors.replicates()) * bands,
+      const std::uint32_t replicates = any.walks().plan().replicates().count();
+      add(replicatesName(suffix), static_cast<int>(replicates) * bands,
         [&](const CellSide& cell, int part) {
           const auto replicate = static_cast<std::uint32_t>(part / bands);
-          return perArea(
-            cell, 0, [&] { return errors.ofReplicate(cell, part % bands, replicate); });
+          return hasArea(cell) ? errors.ofReplicate(cell, part % bands, replicate) : 0;
         });
     }
     if (settings.repairTimeBudget > 0)
     {
-      add(staleName(suffix), bands,
-        [&](const CellSide& cell, int band) { return engine.staleIrradiance(cell, band); });
+      add(staleName(suffix), bands, [&](const CellSide& cell, int band) {
+        return groups.sum(
+          band, [&](const IrradianceEngine& engine) { return engine.staleIrradiance(cell, band); });
+      });
+    }
+    for (const LightGroup& group : arrays.groups ? groups.all() : std::vector<LightGroup>())
+    {
+      const std::string ofGroup = nameOfGroup(name, group.name);
+      add(ofGroup, bands, [&](const CellSide& cell, int band) {
+        return group.engine ? group.shown(group.engine->irradiance(cell, band), band) : 0;
+      });
+      if (arrays.errors)
+      {
+        add(standardErrorName(ofGroup), bands, [&](const CellSide& cell, int band) {
+          return hasArea(cell) ? errors.standardErrorOf(group.name, cell, band) : 0;
+        });
+      }
     }
   }
 
-  /// W/m2 of so many quanta; `otherwise` without an area.
-  template <class Quanta>
-  double perArea(const CellSide& cell, double otherwise, const Quanta& quanta) const
-  {
-    const double area = engine.cells().area(cell);
-    return area > 0 ? engine.watts(quanta()) / area : otherwise;
-  }
+  bool hasArea(const CellSide& cell) const { return any.cells().area(cell) > 0; }
 
   void addFieldData(vtkFieldData* fields) const
   {
@@ -249,25 +260,36 @@ struct OutputWriter
       }
       addTuple<vtkDoubleArray>(fields, name, watts);
     };
-    const auto addPower = [&](const char* name, const Power& power) {
-      addWatts(name, [&](int band) { return engine.watts(power[band]); });
+    const auto powerOf = [&](int band, Power PowerBalance::*power) {
+      return groups.sum(band, [&](const IrradianceEngine& engine) {
+        return engine.watts((engine.balance().*power)[band]);
+      });
     };
-    const PowerBalance& balance = engine.balance();
     // The integers balance; so that the rounded watts do too, they are added.
     addWatts(kEmittedPower, [&](int band) {
-      return engine.watts(balance.absorbed[band]) + engine.watts(balance.escaped[band]);
+      return powerOf(band, &PowerBalance::absorbed) + powerOf(band, &PowerBalance::escaped);
     });
-    addPower(kAbsorbedPower, balance.absorbed);
-    addPower(kEscapedPower, balance.escaped);
+    addWatts(kAbsorbedPower, [&](int band) { return powerOf(band, &PowerBalance::absorbed); });
+    addWatts(kEscapedPower, [&](int band) { return powerOf(band, &PowerBalance::escaped); });
     for (const char* name : { kAbsorbedPower, kEscapedPower })
     {
-      addWatts(standardErrorName(name), [&](int band) { return engine.escapedError(band); });
+      addWatts(standardErrorName(name), [&](int band) {
+        return groups.sumOfErrors(
+          band, [&](const IrradianceEngine& engine) { return engine.escapedError(band); });
+      });
     }
-    addPower(kStalePower, engine.stalePower());
+    addWatts(kStalePower, [&](int band) {
+      return groups.sum(band,
+        [&](const IrradianceEngine& engine) { return engine.watts(engine.stalePower()[band]); });
+    });
     if (settings.repairTimeBudget > 0)
     {
-      addWatts(kStaleGainBound, [&](int band) { return engine.staleGainBound(band); });
+      addWatts(kStaleGainBound, [&](int band) {
+        return groups.sum(
+          band, [&](const IrradianceEngine& engine) { return engine.staleGainBound(band); });
+      });
     }
+    addGroups(fields);
     addStatistics(fields);
   }
 
@@ -279,39 +301,62 @@ struct OutputWriter
     const auto addNumber = [&](const char* name, double number) {
       addTuple<vtkDoubleArray>(fields, name, { number });
     };
-    const EngineStatistics& statistics = engine.statistics();
-    addCount(kNumberOfWalks, engine.walks().numberOfShotWalks());
-    addCount(kNumberOfSegments, engine.balance().segments);
+    using Engine = IrradianceEngine;
+    const WalkStatistics statistics =
+      groups.count([](const Engine& engine) -> WalkStatistics { return engine.statistics(); });
+    addCount(kNumberOfWalks,
+      groups.count([](const Engine& engine) { return engine.walks().numberOfShotWalks(); }));
+    addCount(kNumberOfSegments,
+      groups.count([](const Engine& engine) { return engine.balance().segments; }));
     if (settings.cellEstimate == CellEstimate::Gathered)
     {
-      addCount(kNumberOfGatherRays, static_cast<std::int64_t>(engine.numberOfGatherRays()));
+      addCount(kNumberOfGatherRays, static_cast<std::int64_t>(any.numberOfGatherRays()));
     }
     addCount(kDirectLight, settings.gathersDirectLight ? 1 : 0);
     addCount(kCellEstimate, static_cast<int>(settings.cellEstimate));
-    if (withErrors)
+    if (arrays.errors)
     {
       addNumber(kConfidenceFactor, ErrorEstimate::confidenceFactor(settings.replicates));
     }
     if (settings.targetRelativeError > 0)
     {
-      addNumber(kReachedRelativeError, engine.reachedRelativeError());
+      addNumber(kReachedRelativeError, groups.reachedRelativeError());
     }
     addCount(kNumberOfInvalidWalks, statistics.invalidWalks);
     addCount(kNumberOfRepairedSegments, statistics.repairedSegments);
     addNumber(kShootSeconds, statistics.shootSeconds);
     addNumber(kVerifySeconds, statistics.verifySeconds);
     addNumber(kRepairSeconds, statistics.repairSeconds);
-    addCount(kHistoryBytes, static_cast<std::int64_t>(statistics.historyBytes));
+    addCount(kHistoryBytes, groups.count([](const Engine& engine) {
+      return static_cast<std::int64_t>(engine.statistics().historyBytes);
+    }));
+  }
+
+  /// The names of groups and their factors, if there are any but the usual one.
+  void addGroups(vtkFieldData* fields) const
+  {
+    const auto count = static_cast<vtkIdType>(groups.all().size());
+    if (!groups.areSeveral())
+    {
+      return;
+    }
+    const auto names = addArray<vtkStringArray>(fields, kLightGroups, 1, count);
+    const auto factors = addArray<vtkDoubleArray>(fields, kLightGroupFactors, scene.bands(), count);
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      const LightGroup& group = groups.all()[static_cast<std::size_t>(i)];
+      names->SetValue(i, group.name);
+      std::copy_n(group.factor.data(), scene.bands(), factors->GetPointer(i * scene.bands()));
+    }
   }
 };
 
 }
 
-void writeOutput(const IrradianceEngine& engine, const SceneReader& scene,
-  const SceneInputs& inputs, bool withErrors, bool withReplicates, const CancelPoint& cancelPoint,
-  vtkMultiBlockDataSet* output)
+void writeOutput(const LightGroups& groups, const SceneReader& scene, const SceneInputs& inputs,
+  const OutputArrays& arrays, const CancelPoint& cancelPoint, vtkMultiBlockDataSet* output)
 {
-  OutputWriter{ engine, scene, withErrors, withReplicates, cancelPoint }.write(inputs, output);
+  OutputWriter{ groups, scene, arrays, cancelPoint }.write(inputs, output);
 }
 
 void writeEmptyOutput(const SceneInputs& inputs, const EngineSettings& settings, bool withErrors,

@@ -3,18 +3,24 @@
 #define irradiance_OutputWriter_h
 
 #include "Input/SceneReader.h"
-#include "IrradianceEngine.h"
+#include "LightGroups.h"
 
 class vtkMultiBlockDataSet;
 
 namespace irradiance
 {
 
-/// Copies the engine's sums to the output of the filter. `withErrors`: also writes standard errors.
-/// `withReplicates`: also writes replicatesName() and photonName().
-void writeOutput(const IrradianceEngine& engine, const SceneReader& scene,
-  const SceneInputs& inputs, bool withErrors, bool withReplicates, const CancelPoint& cancelPoint,
-  vtkMultiBlockDataSet* output);
+/// Which arrays are written beside the irradiance.
+struct OutputArrays
+{
+  bool errors = false;     ///< standard errors
+  bool replicates = false; ///< replicatesName() and photonName()
+  bool groups = false;     ///< the light of each group alone
+};
+
+/// Copies the light of all groups to the output of the filter.
+void writeOutput(const LightGroups& groups, const SceneReader& scene, const SceneInputs& inputs,
+  const OutputArrays& arrays, const CancelPoint& cancelPoint, vtkMultiBlockDataSet* output);
 
 /// The same blocks and arrays without cells and field data, see isEmptyPieceRequested().
 void writeEmptyOutput(const SceneInputs& inputs, const EngineSettings& settings, bool withErrors,

@@ -55,14 +55,15 @@ LightArrays addGatheredLight(vtkDataSet* output, int bands, bool haveNormals, bo
 }
 
 std::string gatherLight(
-  const SensorRun& run, const LightArrays& arrays, std::uint32_t rays, StoredSensors& stored)
+  const SensorRun& run, const LightArrays& arrays, std::uint32_t rays, GroupSensors& stored)
 {
   stored.update(
-    run.engine, run.sensors, rays, mayKeepRays(run.sensors.size(), rays), run.execution);
+    run.groups, run.sensors, rays, mayKeepRays(run.sensors.size(), rays), run.execution);
   std::vector<char> areLost;
   vtkIdType unknown = 0; // errors, of values that are known
-  for (const SensorFinalGather::Light& light : stored.lights())
+  for (const GroupSensors::Replicates& replicates : stored.replicates())
   {
+    const SensorFinalGather::Light light = SensorFinalGather::lightOf(replicates);
     arrays.set(static_cast<vtkIdType>(areLost.size()), light);
     areLost.push_back(std::isnan(light.value[0]) ? 1 : 0);
     const auto* const errors = light.standardError.data();
@@ -93,39 +94,51 @@ std::string measureNearestLight(
 {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   constexpr std::size_t kUnit = 64; // sensors
-  IrradianceEngine& engine = *run.engine;
-  const int bands = engine.objects().staticObject.material->bands;
+  const int bands = run.groups.any().objects().staticObject.material->bands;
   addNearestLight(run.output, bands);
   vtkPointData* points = run.output->GetPointData();
   auto* irradiances = vtkDoubleArray::SafeDownCast(points->GetArray(irradianceName().c_str()));
   auto* counts = vtkIdTypeArray::SafeDownCast(points->GetArray(kNumberOfPhotons));
   auto* radii = vtkDoubleArray::SafeDownCast(points->GetArray(kSearchRadius));
-  engine.collectPhotons(run.execution);
-  engine.prepareSurfaces(run.execution);
-  const NearestPhotons nearest = engine.nearestPhotons();
-  const double distance = maximumDistance > 0 ? maximumDistance : usualDistance(nearest);
-  const double radius = maximumRadius > 0 ? maximumRadius : usualRadius(nearest, photons);
-  const std::deque<PointDirectLight> lights = gatheredLightsOf(engine);
+  for (vtkDataArray* array : { static_cast<vtkDataArray*>(irradiances),
+         static_cast<vtkDataArray*>(counts), static_cast<vtkDataArray*>(radii) })
+  {
+    array->Fill(0);
+  }
+  double distance = 0;
   std::vector<char> areLost(run.sensors.size());
-  forEachSliced((run.sensors.size() + kUnit - 1) / kUnit, run.execution, [&](std::size_t unit) {
-    for (std::size_t i = unit * kUnit; i < std::min((unit + 1) * kUnit, areLost.size()); ++i)
-    {
-      const auto point = static_cast<vtkIdType>(i);
-      const std::optional<Foot> foot = nearest.footOf(run.sensors[i], distance);
-      const NearestEstimate estimate = foot ? nearestEstimate(nearest, *foot, photons, radius)
-                                            : NearestEstimate{ {}, 0, kUnknown, 0 };
-      areLost[i] = foot ? 0 : 1;
-      const Bands direct = foot ? directLightAt(*foot, i, lights, engine.scene()) : Bands{};
-      for (int band = 0; band < bands; ++band)
+  run.groups.forEachLit([&](const LightGroup& group) {
+    IrradianceEngine& engine = *group.engine;
+    engine.collectPhotons(run.execution);
+    engine.prepareSurfaces(run.execution);
+    const NearestPhotons nearest = engine.nearestPhotons();
+    distance = maximumDistance > 0 ? maximumDistance : usualDistance(nearest);
+    const double radius = maximumRadius > 0 ? maximumRadius : usualRadius(nearest, photons);
+    const std::deque<PointDirectLight> lights = gatheredLightsOf(engine);
+    forEachSliced((run.sensors.size() + kUnit - 1) / kUnit, run.execution, [&](std::size_t unit) {
+      for (std::size_t i = unit * kUnit; i < std::min((unit + 1) * kUnit, areLost.size()); ++i)
       {
-        irradiances->SetTypedComponent(point, band,
-          estimate.area > 0 ? direct[static_cast<std::size_t>(band)] +
+        const auto point = static_cast<vtkIdType>(i);
+        const std::optional<Foot> foot = nearest.footOf(run.sensors[i], distance);
+        const NearestEstimate estimate = foot ? nearestEstimate(nearest, *foot, photons, radius)
+                                              : NearestEstimate{ {}, 0, kUnknown, 0 };
+        areLost[i] = foot ? 0 : 1;
+        const Bands direct = foot ? directLightAt(*foot, i, lights, engine.scene()) : Bands{};
+        for (int band = 0; band < bands; ++band)
+        {
+          const double found = estimate.area > 0 ? direct[static_cast<std::size_t>(band)] +
               engine.watts(estimate.power[band]) / estimate.area
-                            : kUnknown);
+                                                 : kUnknown;
+          irradiances->SetTypedComponent(
+            point, band, irradiances->GetTypedComponent(point, band) + group.shown(found, band));
+        }
+        counts->SetTypedComponent(
+          point, 0, counts->GetTypedComponent(point, 0) + static_cast<vtkIdType>(estimate.found));
+        const double widest = radii->GetTypedComponent(point, 0);
+        radii->SetTypedComponent(
+          point, 0, estimate.radius > widest || !foot ? estimate.radius : widest);
       }
-      counts->SetTypedComponent(point, 0, static_cast<vtkIdType>(estimate.found));
-      radii->SetTypedComponent(point, 0, estimate.radius);
-    }
+    });
   });
   std::ostringstream where;
   where << distance << " m from a surface that faces as they do";

@@ -3,9 +3,8 @@
 #define irradiance_SensorLight_h
 
 #include "Output/LightArrays.h"
-#include "Views/StoredSensors.h"
+#include "Views/GroupSensors.h"
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,7 +17,7 @@ namespace irradiance
 struct SensorRun
 {
   const std::vector<Sensor>& sensors;
-  std::shared_ptr<IrradianceEngine> engine; ///< of the scene, up to date
+  const LightGroups& groups; ///< of the scene, up to date
   Execution& execution;
   vtkDataSet* output; ///< with a point for each sensor
 };
@@ -30,7 +29,7 @@ LightArrays addGatheredLight(vtkDataSet* output, int bands, bool haveNormals, bo
 /// again, and updated. Returns a warning, or nothing. Throws Interrupted, and what
 /// SensorFinalGather throws.
 std::string gatherLight(
-  const SensorRun& run, const LightArrays& arrays, std::uint32_t rays, StoredSensors& stored);
+  const SensorRun& run, const LightArrays& arrays, std::uint32_t rays, GroupSensors& stored);
 
 /// Adds the arrays of what the photons nearest to sensors tell.
 void addNearestLight(vtkDataSet* output, int bands);

@@ -32,16 +32,16 @@ namespace
 class Polylines
 {
 public:
-  Polylines(const IrradianceEngine& engine, int bands, bool withStale)
-    : engine_(engine)
-    , bands_(bands)
+  Polylines(int bands, bool withStale)
+    : bands_(bands)
     , withStale_(withStale)
   {
     points_->SetDataTypeToDouble();
     powers_->SetNumberOfComponents(bands);
   }
 
-  void add(const WalkPath& path)
+  /// `before`: walks of groups before its own.
+  void add(const WalkPath& path, const LightGroup& group, std::size_t before)
   {
     lines_->InsertNextCell(static_cast<int>(path.points.size()));
     for (std::size_t i = 0; i < path.points.size(); ++i)
@@ -50,13 +50,13 @@ public:
       bounces_->InsertNextValue(static_cast<int>(i));
       newPoints_->InsertNextValue(i >= path.firstRepaired ? 1 : 0);
     }
-    walks_->InsertNextValue(static_cast<vtkIdType>(path.walk));
+    walks_->InsertNextValue(static_cast<vtkIdType>(before + path.walk));
     repaired_->InsertNextValue(path.firstRepaired < path.points.size() ? 1 : 0);
     escaped_->InsertNextValue(path.escapes ? 1 : 0);
     stale_->InsertNextValue(path.isStale ? 1 : 0);
     for (int band = 0; band < bands_; ++band)
     {
-      powers_->InsertNextValue(engine_.watts(path.power[band]));
+      powers_->InsertNextValue(group.shown(group.engine->watts(path.power[band]), band));
     }
   }
 
@@ -85,7 +85,6 @@ private:
     attributes->AddArray(array);
   }
 
-  const IrradianceEngine& engine_;
   int bands_;
   bool withStale_;
   vtkNew<vtkPoints> points_;
@@ -149,30 +148,33 @@ void writeWalks(const WalksRequest& request, const PhotonSource& source,
   constexpr vtkIdType most = std::numeric_limits<std::uint32_t>::max();
   throwIf(request.count < 0 || request.count > most, "the number of walks is ", request.count,
     "; 0 to ", most, " are possible");
-  const IrradianceEngine& engine = *source.engine();
-  const WalkPaths paths(engine);
-  const auto count = static_cast<std::size_t>(request.count);
-  std::vector<std::uint32_t> walks;
-  if (request.cell == -1)
-  {
-    walks = paths.first(count);
-  }
-  else if (const std::optional<SceneCell> cell = cellOf(request, source, scene))
-  {
-    walks = paths.touching(*cell, count, execution);
-  }
-  constexpr std::size_t kTogether = 16384;
-  Polylines polylines(
-    engine, engine.objects().staticObject.material->bands, engine.settings().repairTimeBudget > 0);
-  for (std::size_t begin = 0; begin < walks.size(); begin += kTogether)
-  {
-    const auto from = walks.begin() + static_cast<std::ptrdiff_t>(begin);
-    const auto end = from + static_cast<std::ptrdiff_t>(std::min(kTogether, walks.size() - begin));
-    for (const WalkPath& path : paths.paths({ from, end }, execution))
+  const LightGroups& groups = *source.groups();
+  const std::optional<SceneCell> cell =
+    request.cell == -1 ? std::nullopt : cellOf(request, source, scene);
+  Polylines polylines(source.bands(), groups.any().settings().repairTimeBudget > 0);
+  auto left = static_cast<std::size_t>(request.count);
+  std::size_t groupsLeft = 0, before = 0;
+  groups.forEachLit([&](const LightGroup&) { ++groupsLeft; });
+  groups.forEachLit([&](const LightGroup& group) {
+    const WalkPaths paths(*group.engine);
+    const std::size_t count = left / groupsLeft--;
+    const std::vector<std::uint32_t> walks = request.cell == -1 ? paths.first(count)
+      : cell ? paths.touching(*cell, count, execution)
+             : std::vector<std::uint32_t>();
+    left -= walks.size();
+    constexpr std::size_t kTogether = 16384;
+    for (std::size_t begin = 0; begin < walks.size(); begin += kTogether)
     {
-      polylines.add(path);
+      const auto from = walks.begin() + static_cast<std::ptrdiff_t>(begin);
+      const auto end =
+        from + static_cast<std::ptrdiff_t>(std::min(kTogether, walks.size() - begin));
+      for (const WalkPath& path : paths.paths({ from, end }, execution))
+      {
+        polylines.add(path, group, before);
+      }
     }
-  }
+    before += group.engine->walks().sets().back().plan().endWalk();
+  });
   polylines.moveTo(output);
 }
 

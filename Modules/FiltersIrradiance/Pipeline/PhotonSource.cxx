@@ -24,19 +24,19 @@ namespace
 {
 
 /// What information can hold.
-class EngineReference : public vtkObject
+class GroupsReference : public vtkObject
 {
 public:
-  vtkTypeMacro(EngineReference, vtkObject);
-  static EngineReference* New();
+  vtkTypeMacro(GroupsReference, vtkObject);
+  static GroupsReference* New();
 
-  std::shared_ptr<IrradianceEngine> engine;
+  std::shared_ptr<LightGroups> groups;
   std::uint64_t state = 0;
   std::vector<PieceCells> pieces;
 };
-vtkStandardNewMacro(EngineReference);
+vtkStandardNewMacro(GroupsReference);
 
-vtkInformationObjectBaseKey* engineKey()
+vtkInformationObjectBaseKey* groupsKey()
 {
   static auto* const key = new vtkInformationObjectBaseKey("PHOTONS", "vtkIrradianceFilter");
   return key;
@@ -45,12 +45,12 @@ vtkInformationObjectBaseKey* engineKey()
 /// Copies of data share its arrays, but not its own information: so an array holds the reference.
 constexpr const char* kHolder = kNumberOfWalks;
 
-EngineReference* referenceIn(vtkDataObject* data)
+GroupsReference* referenceIn(vtkDataObject* data)
 {
   vtkAbstractArray* holder =
     data && data->GetFieldData() ? data->GetFieldData()->GetAbstractArray(kHolder) : nullptr;
-  return holder && holder->HasInformation() ? static_cast<EngineReference*>(vtkObject::SafeDownCast(
-                                                holder->GetInformation()->Get(engineKey())))
+  return holder && holder->HasInformation() ? static_cast<GroupsReference*>(vtkObject::SafeDownCast(
+                                                holder->GetInformation()->Get(groupsKey())))
                                             : nullptr;
 }
 
@@ -69,14 +69,14 @@ std::vector<vtkPolyData*> polyDataOf(vtkDataObject* block)
 
 }
 
-void PhotonSource::attach(vtkMultiBlockDataSet* output, std::shared_ptr<IrradianceEngine> engine,
-  std::vector<PieceCells> pieces)
+void PhotonSource::attach(
+  vtkMultiBlockDataSet* output, std::shared_ptr<LightGroups> groups, std::vector<PieceCells> pieces)
 {
-  vtkNew<EngineReference> reference;
+  vtkNew<GroupsReference> reference;
   reference->pieces = std::move(pieces);
-  reference->state = engine->state();
-  reference->engine = std::move(engine);
-  output->GetFieldData()->GetAbstractArray(kHolder)->GetInformation()->Set(engineKey(), reference);
+  reference->state = groups->state();
+  reference->groups = std::move(groups);
+  output->GetFieldData()->GetAbstractArray(kHolder)->GetInformation()->Set(groupsKey(), reference);
 }
 
 bool PhotonSource::isEmptyPiece(vtkMultiBlockDataSet* data, vtkInformation* output)
@@ -88,15 +88,15 @@ bool PhotonSource::isEmptyPiece(vtkMultiBlockDataSet* data, vtkInformation* outp
 PhotonSource::PhotonSource(vtkDataObject* data, const char* what, bool readsPhotons)
   : what_(what)
 {
-  EngineReference* reference = referenceIn(data);
+  GroupsReference* reference = referenceIn(data);
   throwIf(!reference, what,
     " is no output of vtkIrradianceFilter, or has lost its photons (files do not keep them): "
     "connect the filter, or a shallow copy of its whole output");
-  engine_ = reference->engine;
+  groups_ = reference->groups;
   pieces_ = reference->pieces;
-  throwIf(!engine_->isValid() || engine_->state() != reference->state, what,
+  throwIf(!groups_->isValid() || groups_->state() != reference->state, what,
     " is out of date: its vtkIrradianceFilter has executed since. Take its new output");
-  throwIf(readsPhotons && !engine_->storesWalks(), what,
+  throwIf(readsPhotons && !groups_->any().storesWalks(), what,
     " was computed without keeping the photons, as nothing can move: connect the "
     "vtkIrradianceFilter itself, which then keeps them");
 }
@@ -111,7 +111,7 @@ void PhotonSource::forEachPart(vtkMultiBlockDataSet* data, const Visit& visit) c
   check(data->GetNumberOfBlocks() == 2);
   std::vector<vtkPolyData*> parts = polyDataOf(data->GetBlock(0));
   const std::vector<vtkPolyData*> dynamics = polyDataOf(data->GetBlock(1));
-  const SceneObjects& objects = engine_->objects();
+  const SceneObjects& objects = groups_->any().objects();
   const Material& material = *objects.staticObject.material;
   std::vector<std::size_t> ends = material.firstCellOfPart; // of the static parts
   check(parts.size() == ends.size() && dynamics.size() + 1 == objects.size());

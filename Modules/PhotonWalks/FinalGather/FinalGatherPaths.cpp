@@ -305,10 +305,11 @@ void FinalGatherPaths::record(const Path& path, const Ray& ray, const Arrival& a
 {
   const Contacts& contacts = scene_->frame.contacts;
   const TriangleId& id = arrival.hit.id;
+  const SceneObject& object = scene_->frame.objects[id.object];
   const Vector3 to = ray.origin + arrival.hit.distance * ray.direction;
   const bool asksLights = arrival.isUnknown || arrival.lobe;
   const bool hasLampWeight = path.isSpecular && !std::isinf(path.density) && arrival.isFront() &&
-    scene_->frame.objects[id.object].isLamp(id.triangle);
+    object.hasExitance(object.material->cellOfTriangle[id.triangle]);
   addStep(path,
     { inFloats(ray.origin), inFloats(to), scene_->frame.triangles.numberOf(id), arrival.isFront(),
       path.isSpecular, arrival.isKnown, !arrival.isKnown && !arrival.isUnknown, asksLights,

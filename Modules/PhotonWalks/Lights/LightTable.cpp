@@ -91,7 +91,7 @@ void LightTable::addAreas(const SceneObjects& objects, std::uint32_t number,
   for (std::uint32_t i = 0; i < mesh.size() && !emission.exitance.empty(); ++i)
   {
     const std::uint32_t cell = object.material->cellOfTriangle[i];
-    if (!object.isLamp(i) || emission.groupOf(cell) != group)
+    if (!emission.hasExitance(cell) || emission.groupOf(cell) != group)
     {
       continue;
     }

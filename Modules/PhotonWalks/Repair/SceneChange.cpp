@@ -9,7 +9,8 @@ namespace
 
 bool isSameLook(const SceneObject& now, const SceneObject& before)
 {
-  return now.material == before.material && now.body->mesh().size() == before.body->mesh().size();
+  return now.material == before.material && now.lampCells == before.lampCells &&
+    now.body->mesh().size() == before.body->mesh().size();
 }
 
 /// Whether both frames have the same number of objects, and `isSame` holds for each pair.

@@ -59,11 +59,11 @@ struct Emission
   /// the exitance is the mean over all directions before it was scaled by a pose.
   std::vector<std::uint32_t> luminaireOfCell;
   static constexpr std::uint32_t kNone = 0xffffffffu;
-  /// The group of each cell's lights; empty: all are in group 0. Each group starts a set of walks
-  /// of its own.
+  /// The group of each cell's lights; empty: all are in `group`.
   std::vector<std::uint32_t> groups;
+  std::uint32_t group = 0;
 
-  std::uint32_t groupOf(std::size_t cell) const { return groups.empty() ? 0 : groups[cell]; }
+  std::uint32_t groupOf(std::size_t cell) const { return groups.empty() ? group : groups[cell]; }
   bool isEmpty() const { return exitance.empty() && points.empty(); }
   /// Null for a cell of an object without exitance; else one value per band.
   const double* exitanceOf(std::size_t cell) const
@@ -94,7 +94,7 @@ struct Emission
   {
     return a.bands == b.bands && a.exitance == b.exitance && a.points == b.points &&
       a.luminaires == b.luminaires && a.luminaireOfCell == b.luminaireOfCell &&
-      a.groups == b.groups;
+      a.groups == b.groups && a.group == b.group;
   }
 };
 

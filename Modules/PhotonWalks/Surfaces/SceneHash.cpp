@@ -24,7 +24,7 @@ void add(const Material& material, Hash& hash)
 
 void add(const Emission& emission, Hash& hash)
 {
-  hash.add(emission.exitance, emission.groups, emission.luminaireOfCell);
+  hash.add(emission.exitance, emission.groups, emission.group, emission.luminaireOfCell);
   for (const Luminaire& lamp : emission.luminaires)
   {
     hash.add(lamp.axis, lamp.reference, lamp.flux, lamp.faces, lamp.intensity->integral());

@@ -30,7 +30,7 @@ bool hasMoved(const SceneObject& now, const SceneObject& before)
 bool isSameThing(const SceneObject& now, const SceneObject& before)
 {
   return now.body == before.body && now.material == before.material &&
-    now.emission == before.emission;
+    now.emission == before.emission && now.lampCells == before.lampCells;
 }
 
 std::vector<double> cellAreas(const SceneObject& object, const CancelPoint& cancelPoint)

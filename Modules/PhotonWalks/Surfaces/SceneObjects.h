@@ -18,6 +18,9 @@ struct SceneObject : PlacedBody
 {
   std::shared_ptr<const Material> material;
   std::shared_ptr<const Emission> emission; ///< null: none
+  /// By cell, whether it counts as a lamp where it coincides with others, even if other light than
+  /// its own is computed; null: if it has exitance.
+  std::shared_ptr<const std::vector<bool>> lampCells{};
 
   bool emits() const { return emission && !emission->isEmpty(); }
   /// W/m2 by band; null if the object has no exitance.
@@ -26,10 +29,10 @@ struct SceneObject : PlacedBody
     return emission ? emission->exitanceOf(cell) : nullptr;
   }
   bool hasExitance(std::size_t cell) const { return emission && emission->hasExitance(cell); }
-  /// Whether a triangle belongs to a cell with exitance.
   bool isLamp(std::uint32_t triangle) const
   {
-    return hasExitance(material->cellOfTriangle[triangle]);
+    const std::uint32_t cell = material->cellOfTriangle[triangle];
+    return lampCells ? (*lampCells)[cell] : hasExitance(cell);
   }
 };
 

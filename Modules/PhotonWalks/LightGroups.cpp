@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LightGroups.h"
+
+#include "Surfaces/SceneHash.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace irradiance
+{
+
+namespace
+{
+
+constexpr Bands kOne{ { 1, 1, 1 } };
+
+bool isOff(const Bands& factor)
+{
+  return std::all_of(factor.begin(), factor.end(), [](double of) { return of == 0; });
+}
+
+/// So that groups are independent, and none depends on which others there are.
+std::uint64_t seedOf(const std::string& name, std::uint64_t seed)
+{
+  Hash hash;
+  hash.add(seed);
+  hash.add(std::vector<char>(name.begin(), name.end()));
+  return hash.value();
+}
+
+}
+
+void LightGroups::findGroups(const Asked& asked, Ranks& ranks)
+{
+  lamps_.update(asked.objects);
+  std::map<std::string, std::uint32_t> present; // by name
+  for (std::uint32_t number = 0; number < asked.groups.size(); ++number)
+  {
+    if (!isOff(lamps_.brightest(number)) || hasSky(asked, number))
+    {
+      present.emplace(asked.groups[number].name, number);
+    }
+  }
+  areSeveral_ =
+    present.size() > 1 || (present.size() == 1 && asked.groups[present.begin()->second].isNamed);
+  groups_.clear();
+  numbers_.clear();
+  Hash hash;
+  for (const auto& [name, number] : present)
+  {
+    const Bands& factor = asked.groups[number].factor;
+    const bool isScaled = areSeveral_ && !hasSky(asked, number);
+    groups_.push_back({ name, factor, isScaled ? lamps_.brightest(number) : kOne, nullptr });
+    numbers_.push_back(number);
+    hash.add(seedOf(name, 0), factor[0], factor[1], factor[2]);
+  }
+  ranks.expectSame(hash.value(), "other light groups than on the first process");
+}
+
+void LightGroups::update(const Asked& asked, Execution& execution)
+{
+  isValid_ = false;
+  ++state_;
+  findGroups(asked, execution.ranks());
+  std::vector<std::pair<LightGroup*, std::uint32_t>> lit;
+  std::map<std::string, Member> members;
+  const auto keep = [&](const LightGroup& group) { members.insert(members_.extract(group.name)); };
+  for (std::size_t i = 0; i < groups_.size(); ++i)
+  {
+    keep(groups_[i]);
+    if (!isOff(groups_[i].factor))
+    {
+      lit.emplace_back(&groups_[i], numbers_[i]);
+    }
+  }
+  darkness_ = {};
+  if (lit.empty())
+  {
+    keep(darkness_);
+    lit.emplace_back(&darkness_, kNone);
+  }
+  members_ = std::move(members);
+  const double budget = asked.settings.repairTimeBudget;
+  double left = budget;
+  for (std::size_t i = 0; i < lit.size(); ++i)
+  {
+    constexpr double kLeast = 1e-9; // s; 0 would be none
+    const auto [group, number] = lit[i];
+    const auto count = static_cast<double>(lit.size()), done = static_cast<double>(i);
+    ProgressSpan part(execution, done / count, (done + 1) / count);
+    updateLit(
+      asked, number, *group, budget > 0 ? std::max(left / (count - done), kLeast) : 0, part);
+    left -= group->engine->statistics().repairSeconds;
+  }
+  any_ = lit.front().first->engine;
+  isValid_ = true;
+}
+
+void LightGroups::updateLit(
+  const Asked& asked, std::uint32_t number, LightGroup& group, double budget, Execution& execution)
+{
+  Member& member = members_[group.name];
+  const SceneObjects objects = member.lamps.only(
+    asked.objects, areSeveral_ ? &lamps_ : nullptr, number, group.scale, hasSky(asked, number));
+  EngineSettings settings = asked.settings;
+  settings.repairTimeBudget = budget;
+  settings.seed = areSeveral_ ? seedOf(group.name, settings.seed) : settings.seed;
+  settings = member.engine->chosen(asked.left, objects, settings, execution);
+  asked.check(objects, settings);
+  member.engine->update(objects, settings, execution);
+  group.engine = member.engine;
+}
+
+double LightGroups::reachedRelativeError() const
+{
+  double most = 0;
+  forEachLit([&](const LightGroup& group) {
+    const double reached = group.engine->reachedRelativeError();
+    most = std::isnan(reached) || reached > most ? reached : most;
+  });
+  return most;
+}
+
+LightGroupErrors::LightGroupErrors(const LightGroups& groups)
+  : groups_(groups)
+{
+  groups.forEachLit([&](const LightGroup& group) {
+    parts_.push_back({ group, group.engine->errorEstimate() });
+  });
+}
+
+double LightGroupErrors::shown(const Part& part, const CellSide& cell, int band, double quanta)
+{
+  const IrradianceEngine& engine = *part.group.engine;
+  return part.group.shown(engine.watts(quanta) / engine.cells().area(cell), band);
+}
+
+double LightGroupErrors::standardErrorOf(
+  const std::string& group, const CellSide& cell, int band) const
+{
+  const auto part = std::find_if(
+    parts_.begin(), parts_.end(), [&](const Part& some) { return some.group.name == group; });
+  return part == parts_.end() ? 0
+                              : shown(*part, cell, band, part->errors.standardError(cell, band));
+}
+
+double LightGroupErrors::standardError(const CellSide& cell, int band) const
+{
+  if (parts_.size() == 1)
+  {
+    return standardErrorOf(parts_.front().group.name, cell, band);
+  }
+  double square = 0, doubtful = 0; // of groups whose own error is not known, the largest photon
+  for (const Part& part : parts_)
+  {
+    const double error = shown(part, cell, band, part.errors.standardError(cell, band));
+    const double photon = shown(part, cell, band, part.errors.quantaPerPhoton(cell, band));
+    // Fewer photons than are needed have a smaller error than so many.
+    square += std::isnan(error) ? ErrorEstimate::kFewestPhotons * photon * photon : error * error;
+    doubtful = std::isnan(error) ? std::max(doubtful, photon) : doubtful;
+  }
+  const bool isKnown = groups_.irradiance(cell, band) >= ErrorEstimate::kFewestPhotons * doubtful;
+  return isKnown ? std::sqrt(square) : std::numeric_limits<double>::quiet_NaN();
+}
+
+double LightGroupErrors::ofReplicate(const CellSide& cell, int band, std::uint32_t replicate) const
+{
+  double sum = 0;
+  for (const Part& part : parts_)
+  {
+    sum += shown(part, cell, band, part.errors.ofReplicate(cell, band, replicate));
+  }
+  return sum;
+}
+
+double LightGroupErrors::ofPhoton(const CellSide& cell, int band) const
+{
+  double most = 0, mostOfLit = 0;
+  for (const Part& part : parts_)
+  {
+    const double photon = shown(part, cell, band, part.errors.quantaPerPhoton(cell, band));
+    most = std::max(most, photon);
+    mostOfLit =
+      part.group.engine->irradiance(cell, band) > 0 ? std::max(mostOfLit, photon) : mostOfLit;
+  }
+  return mostOfLit > 0 ? mostOfLit : most;
+}
+
+}
