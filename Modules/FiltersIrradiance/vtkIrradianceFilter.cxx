@@ -475,8 +475,8 @@ void vtkIrradianceFilter::SetLightGroupFactor(
 double vtkIrradianceFilter::GetLightGroupFactor(const char* group, int band)
 {
   const auto found = this->Internals->Factors.find(group ? group : "");
-  return found == this->Internals->Factors.end() ? 1
-                                                 : found->second.at(static_cast<std::size_t>(band));
+  const auto i = static_cast<std::size_t>(std::clamp(band, 0, irradiance::Power::kMaxBands - 1));
+  return found == this->Internals->Factors.end() ? 1 : found->second[i];
 }
 
 void vtkIrradianceFilter::RemoveAllLightGroupFactors()

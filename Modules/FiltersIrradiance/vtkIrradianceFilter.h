@@ -216,8 +216,7 @@ public:
    * numbers) names, or the field-data array `LightGroup` of its input; else all lamps of port 0 are
    * in "Static", and those of connection i of port 1 in "Dynamic i". The field-data array
    * `LightGroupFactor` of an input does the same as this, over time, and multiplies it. Each group
-   * has NumberOfWalks walks and rays of its own. The fields `LightGroups` and `LightGroupFactors`
-   * tell what groups there are.
+   * has NumberOfWalks walks and rays of its own.
    */
   void SetLightGroupFactor(const char* group, double factor)
   {
@@ -232,7 +231,8 @@ public:
   /**
    * Whether what each light group brings is an array of its own, `Irradiance_` and the name of the
    * group (`IrradianceFront_`..., with ComputeStandardError their errors). These add up to
-   * `Irradiance`, in the order of the names. Default off.
+   * `Irradiance`, in the order of the names, which the field `LightGroups` tells, with the factors
+   * in `LightGroupFactors`. Default off.
    */
   vtkSetMacro(ComputeLightGroups, vtkTypeBool);
   vtkGetMacro(ComputeLightGroups, vtkTypeBool);

@@ -6,6 +6,7 @@
 
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
+#include "vtkStringArray.h"
 
 #include <gtest/gtest.h>
 
@@ -124,13 +125,22 @@ private:
     {
       if (excluded.count(data->GetArrayName(i)) == 0)
       {
-        this->Add(prefix + data->GetArrayName(i), data->GetArray(i));
+        this->Add(prefix + data->GetArrayName(i), data->GetAbstractArray(i));
       }
     }
   }
 
-  void Add(const std::string& name, vtkDataArray* array)
+  void Add(const std::string& name, vtkAbstractArray* array)
   {
+    if (auto* texts = vtkStringArray::SafeDownCast(array))
+    {
+      for (vtkIdType i = 0; i < texts->GetNumberOfValues(); ++i)
+      {
+        const std::string text = texts->GetValue(i);
+        this->Arrays[name].insert(this->Arrays[name].end(), text.begin(), text.end());
+      }
+      return;
+    }
     const auto* begin = static_cast<const unsigned char*>(array->GetVoidPointer(0));
     const auto bytes = static_cast<std::size_t>(array->GetNumberOfValues()) *
       static_cast<std::size_t>(array->GetDataTypeSize());

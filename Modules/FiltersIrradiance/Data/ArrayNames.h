@@ -62,7 +62,7 @@ inline std::string nameOfGroup(const std::string& array, const std::string& grou
 /// Of lamps: cell or field data.
 constexpr const char* kLightGroup = "LightGroup";
 constexpr const char* kLightGroupFactor = "LightGroupFactor";
-/// Field data of vtkIrradianceFilter, if there are groups.
+/// Field data of vtkIrradianceFilter, with ComputeLightGroups.
 constexpr const char* kLightGroups = "LightGroups";
 constexpr const char* kLightGroupFactors = "LightGroupFactors";
 

@@ -332,11 +332,11 @@ struct OutputWriter
     }));
   }
 
-  /// The names of groups and their factors, if there are any but the usual one.
+  /// The names of groups and their factors.
   void addGroups(vtkFieldData* fields) const
   {
     const auto count = static_cast<vtkIdType>(groups.all().size());
-    if (!groups.areSeveral())
+    if (!arrays.groups)
     {
       return;
     }
