@@ -348,7 +348,7 @@ private:
         [&named = name](const irradiance::LampGroup& some) { return some.name == named; });
       if (group == groups.end())
       {
-        unknown = name;
+        unknown = factor == irradiance::Bands{ { 1, 1, 1 } } ? unknown : name;
         continue;
       }
       std::transform(factor.begin(), factor.end(), group->factor.begin(), group->factor.begin(),
@@ -390,7 +390,9 @@ private:
     {
       return;
     }
-    const std::vector<std::string> advice = !this->Groups->all().empty()
+    const bool isDark = this->Groups->all().empty() ||
+      (!this->Groups->areSeveral() && !this->Groups->any().hasLights());
+    const std::vector<std::string> advice = !isDark
       ? irradiance::sceneAdvice(inputs, this->Scene, *this->Groups, cancelPoint)
       : std::vector<std::string>(
           this->Scene.isUnderSky() ? 0 : 1, irradiance::noLightWarning(this->Filter, inputs));

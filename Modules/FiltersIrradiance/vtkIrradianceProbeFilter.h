@@ -38,7 +38,7 @@
  * - `NumberOfPhotons` (found; fewer than asked for if there are no more within MaximumRadius, 0
  *   where the irradiance is NaN);
  * - `SearchRadius` (double, m): the distance of the farthest of them; MaximumRadius if there are
- *   fewer, NaN where the irradiance is. Distances across the sensor's plane count eight times.
+ *   fewer, NaN where the irradiance is. Of several light groups both are the largest. Distances across the sensor's plane count eight times.
  *
  * With Gathered
  * - `Irradiance` (double, W/m2, likewise) on the plane across the normal: NaN only farther than a

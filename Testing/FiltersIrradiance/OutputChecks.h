@@ -42,7 +42,7 @@ inline void ExpectFinite(vtkFieldData* data)
       name == "ReachedRelativeError" || name == "StaleGainBound" || name == "PhongExponent";
     const bool isLight = name.find("Irradiance") != std::string::npos || name == "Radiance";
     vtkDataArray* array = data->GetArray(i);
-    for (vtkIdType value = 0; !mayBeUnknown && value < array->GetNumberOfValues(); ++value)
+    for (vtkIdType value = 0; array && !mayBeUnknown && value < array->GetNumberOfValues(); ++value)
     {
       const double number = array->GetVariantValue(value).ToDouble();
       ASSERT_TRUE(std::isfinite(number) && !(isLight && number < 0)) << name << " is " << number;

@@ -58,6 +58,31 @@ inline void ChangeAPoseField(Trial& t)
   moving.Data->Modified();
 }
 
+/// The lamps of a leaf join a group, which has another factor or not.
+inline void ChangeALightGroup(Trial& t)
+{
+  Connection& connection = Pick(t.Random, t.Given.Ports[t.Random.Below(2)]);
+  auto leaves = LeavesOf(connection.Data);
+  if (leaves.empty())
+  {
+    return;
+  }
+  vtkPolyData* const leaf = Pick(t.Random, leaves);
+  leaf->GetFieldData()->RemoveArray("LightGroup");
+  leaf->GetFieldData()->RemoveArray("LightGroupFactor");
+  const int group = t.Random.Below(3);
+  if (group > 0)
+  {
+    SetField(leaf, "LightGroup", { static_cast<double>(group) });
+  }
+  if (group == 2 && Chance(t.Random, 2))
+  {
+    SetField(leaf, "LightGroupFactor", { 0.25 });
+  }
+  leaf->Modified();
+  connection.Data->Modified();
+}
+
 /// Touches exactly: the lamp, or in a corner the floor, two walls and other objects there.
 inline void TouchSomething(Trial& t)
 {

@@ -25,6 +25,8 @@ struct Settings
 {
   vtkIdType NumberOfWalks = 1000, MaximumNumberOfWalks = 6000;
   int Seed = 1, NumberOfReplicates = 16;
+  double FactorOfStatic = 1; ///< of the light group of lamps that nobody gave another
+  bool ComputeLightGroups = false;
   int TraversalMode = vtkIrradianceFilter::Parallel, UpdateMode = vtkIrradianceFilter::Verify;
   int CellEstimate = vtkIrradianceFilter::Sums, NumberOfSpreadPhotons = 250;
   int DirectLight = vtkIrradianceFilter::Shot;
@@ -70,6 +72,8 @@ inline void ApplySettings(vtkIrradianceFilter* filter, const Settings& settings)
   filter->SetNumberOfWalks(settings.NumberOfWalks);
   filter->SetMaximumNumberOfWalks(settings.MaximumNumberOfWalks);
   filter->SetSeed(settings.Seed);
+  filter->SetLightGroupFactor("Static", settings.FactorOfStatic);
+  filter->SetComputeLightGroups(settings.ComputeLightGroups);
   filter->SetNumberOfReplicates(settings.NumberOfReplicates);
   filter->SetTraversalMode(settings.TraversalMode);
   filter->SetUpdateMode(settings.UpdateMode);

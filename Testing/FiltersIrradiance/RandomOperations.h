@@ -76,6 +76,14 @@ inline void ChangeReflectances(Trial& t)
   t.Apply();
 }
 
+inline void ChangeFactors(Trial& t)
+{
+  static const double factors[] = { 0, 1, 1, 0.3 };
+  t.Set().FactorOfStatic = factors[t.Random.Below(4)];
+  t.Set().ComputeLightGroups = Chance(t.Random, 2);
+  t.Apply();
+}
+
 inline void ChangeBudget(Trial& t)
 {
   static const double budgets[] = { 0, 1e-9, 1e-9, 1e-4 }; // s
@@ -350,6 +358,7 @@ struct Operation
 
 inline const Operation Operations[] = { { "MoveAPose", MoveAPose, 18 },
   { "ReplaceOrRemoveAPose", ReplaceOrRemoveAPose, 3 }, { "ChangeAPoseField", ChangeAPoseField, 4 },
+  { "ChangeALightGroup", ChangeALightGroup, 4 }, { "ChangeFactors", ChangeFactors, 4 },
   { "TouchSomething", TouchSomething, 14 }, { "GoWhereAnotherIs", GoWhereAnotherIs, 3 },
   { "GoFarAway", GoFarAway, 3 }, { "GoToAnotherTime", GoToAnotherTime, 8 },
   { "ChangeARide", ChangeARide, 2 }, { "GoAndComeBack", GoAndComeBack, 6 }, { "Deform", Deform, 6 },

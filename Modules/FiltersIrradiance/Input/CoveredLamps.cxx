@@ -16,10 +16,7 @@ namespace
 {
 
 constexpr double kMuchCovered = 0.25;
-constexpr std::size_t kTargets = 512, kRaysOfAll = 65536, kFewestRays = 32;
-
-/// By object and triangle.
-using Lamps = std::map<std::pair<std::uint32_t, std::uint32_t>, const Light*>;
+constexpr std::size_t kTargets = 512, kRaysOfAll = 65536, kFewestRaysOfPart = 32;
 
 /// The lights of a part, and what they emit up to and including each.
 struct LampPart
@@ -103,8 +100,8 @@ std::pair<Ray, double> rayOf(const LampPart& part, std::size_t number, const Tar
 }
 
 /// Follows the rays of a part.
-CoveredLamps measured(const IrradianceEngine& engine, const LampPart& part, const Lamps& lamps,
-  const Targets& targets, std::size_t count)
+CoveredLamps measured(
+  const IrradianceEngine& engine, const LampPart& part, const Targets& targets, std::size_t count)
 {
   CoveredLamps result{ part.lights.front()->cell, {}, part.watts.back(), 0 };
   double all = 0;
@@ -117,12 +114,17 @@ CoveredLamps measured(const IrradianceEngine& engine, const LampPart& part, cons
     }
     const Hit hit =
       engine.frame().contacts.resolveContact(engine.scene(), ray, engine.scene().cast(ray));
-    const auto lamp = lamps.find({ hit.id.object, hit.id.triangle });
     all += brought;
-    if (lamp != lamps.end() && lamp->second->surface()->areaVector().dot(ray.direction) > 0)
+    if (!hit)
+    {
+      continue;
+    }
+    const SceneObject& object = engine.objects()[hit.id.object];
+    if (object.isLamp(hit.id.triangle) &&
+      engine.scene().worldTriangle(hit.id).areaVector().dot(ray.direction) > 0)
     {
       result.covered += brought;
-      result.cover = lamp->second->cell;
+      result.cover = { hit.id.object, object.material->cellOfTriangle[hit.id.triangle] };
     }
   }
   result.covered = all > 0 ? result.covered / all : 0;
@@ -132,9 +134,9 @@ CoveredLamps measured(const IrradianceEngine& engine, const LampPart& part, cons
 }
 
 std::vector<CoveredLamps> findCoveredLamps(
-  const IrradianceEngine& engine, const CancelPoint& cancelPoint)
+  const LightGroup& group, bool areOthers, const CancelPoint& cancelPoint)
 {
-  Lamps lamps;
+  const IrradianceEngine& engine = *group.engine;
   std::map<std::pair<std::uint32_t, std::uint32_t>, LampPart> parts;
   std::size_t lights = 0;
   for (const WalkSet& set : engine.walks().sets())
@@ -151,21 +153,23 @@ std::vector<CoveredLamps> findCoveredLamps(
       LampPart& part =
         parts[{ object, engine.objects()[object].material->partOfCell(light.cell.cell) }];
       part.lights.push_back(&light);
-      part.watts.push_back((part.watts.empty() ? 0 : part.watts.back()) + light.totalFlux());
-      ++lights;
-      if (light.surface())
+      double watts = part.watts.empty() ? 0 : part.watts.back();
+      for (int band = 0; band < Power::kMaxBands; ++band)
       {
-        lamps[{ light.triangle().object, light.triangle().triangle }] = &light;
+        watts += group.shown(light.flux[static_cast<std::size_t>(band)], band);
       }
+      part.watts.push_back(watts);
+      ++lights;
     }
   }
-  if (lamps.empty() || lights < 2)
+  if (lights == 0 || (lights == 1 && !areOthers))
   {
     return {};
   }
   std::vector<CoveredLamps> covered;
   const Targets targets(engine.objects(), cancelPoint);
-  const std::size_t count = std::max(kFewestRays, std::min(kTargets, kRaysOfAll / parts.size()));
+  const std::size_t count =
+    std::max(kFewestRaysOfPart, std::min(kTargets, kRaysOfAll / parts.size()));
   for (const auto& [key, part] : parts)
   {
     cancelPoint();
@@ -173,7 +177,7 @@ std::vector<CoveredLamps> findCoveredLamps(
     {
       continue;
     }
-    if (const auto its = measured(engine, part, lamps, targets, count); its.covered >= kMuchCovered)
+    if (const auto its = measured(engine, part, targets, count); its.covered >= kMuchCovered)
     {
       covered.push_back(its);
     }

@@ -2,7 +2,7 @@
 #ifndef irradiance_CoveredLamps_h
 #define irradiance_CoveredLamps_h
 
-#include "IrradianceEngine.h"
+#include "LightGroups.h"
 
 #include <vector>
 
@@ -23,10 +23,11 @@ struct CoveredLamps
  * bound for surfaces that are no lamps counts what lamps stop with their backs: rays go from points
  * of the lamps to points of these surfaces, each with the power that it would bring to a patch
  * there. So a sun counts whose light hardly meets the scene. What falls on the front of a lamp does
- * not: lamps may face each other.
+ * not: lamps may face each other. Of the lamps of a group; `areOthers`: there are other groups, whose
+ * lamps may stop their light, too.
  */
 std::vector<CoveredLamps> findCoveredLamps(
-  const IrradianceEngine& engine, const CancelPoint& cancelPoint);
+  const LightGroup& group, bool areOthers, const CancelPoint& cancelPoint);
 
 }
 

@@ -41,8 +41,8 @@ struct InputPart
   MaterialArrays<vtkAbstractArray> arrays{};
   vtkFieldData* connectionFields = nullptr; ///< if the connection has others than the part
   std::string lampGroup;                    ///< of its lamps, if nobody says another
-  AffineMap worldFromPart;         ///< the identity for static parts
-  const char* innerPose = nullptr; ///< a field-data array that is part of that; or null
+  AffineMap worldFromPart;                  ///< the identity for static parts
+  const char* innerPose = nullptr;          ///< a field-data array that is part of that; or null
   std::vector<InputWarning> warnings;
 };
 

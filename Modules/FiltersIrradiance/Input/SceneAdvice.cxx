@@ -64,11 +64,8 @@ public:
     , cancelPoint_(cancelPoint)
   {
     groups.forEachLit([&](const LightGroup& group) {
-      for (CoveredLamps& lamps : findCoveredLamps(*group.engine, cancelPoint))
-      {
-        lamps.watts = group.shown(lamps.watts, 0);
-        covered_.push_back(lamps);
-      }
+      const auto its = findCoveredLamps(group, groups.areSeveral(), cancelPoint);
+      covered_.insert(covered_.end(), its.begin(), its.end());
     });
     // Small closed rooms, as most are, pay no more than this.
     if (escaped() > 0 || objects_.worldBounds().size() > kLargePart || !covered_.empty() ||

@@ -132,8 +132,8 @@ std::string measureNearestLight(
           irradiances->SetTypedComponent(
             point, band, irradiances->GetTypedComponent(point, band) + group.shown(found, band));
         }
-        counts->SetTypedComponent(
-          point, 0, counts->GetTypedComponent(point, 0) + static_cast<vtkIdType>(estimate.found));
+        counts->SetTypedComponent(point, 0,
+          std::max(counts->GetTypedComponent(point, 0), static_cast<vtkIdType>(estimate.found)));
         const double widest = radii->GetTypedComponent(point, 0);
         radii->SetTypedComponent(
           point, 0, estimate.radius > widest || !foot ? estimate.radius : widest);
