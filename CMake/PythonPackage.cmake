@@ -29,7 +29,7 @@ set(vtkirradiance_python_build "${PROJECT_BINARY_DIR}/${vtkirradiance_python_pac
 configure_file("${vtkirradiance_python_sources}/__init__.py.in"
   "${vtkirradiance_python_build}/__init__.py" @ONLY)
 set(vtkirradiance_python_files "${vtkirradiance_python_build}/__init__.py")
-foreach (name IN ITEMS arrays pipeline processes)
+foreach (name IN ITEMS arrays groups pipeline processes)
   configure_file("${vtkirradiance_python_sources}/${name}.py"
     "${vtkirradiance_python_build}/${name}.py" COPYONLY)
   list(APPEND vtkirradiance_python_files "${vtkirradiance_python_build}/${name}.py")

@@ -155,7 +155,9 @@ void vtkIrradianceProbeFilter::Compute(vtkDataSet* input, vtkDataObject* scene, 
   const irradiance::PhotonSource source(scene, "the source", !gathers);
   irradiance::SmpExecution execution = irradiance::executionOf(this);
   output->ShallowCopy(input);
-  const irradiance::SensorRun run{ sensors, *source.groups(), execution, output };
+  const std::vector<irradiance::LightGroup>& groups = source.groups()->all();
+  const bool areApart = !groups.empty() && irradiance::haveGroup(scene, groups.front().name);
+  const irradiance::SensorRun run{ sensors, *source.groups(), execution, output, areApart };
   const int bands = source.bands();
   const std::string warning = gathers
     ? irradiance::gatherLight(run,

@@ -49,7 +49,9 @@
  * - `IrradianceStandardError` or `FluenceRateStandardError` (double, W/m2) where the source has
  *   standard errors (ComputeStandardError): from its replicates, each with rays of its own that
  *   read its own sums. NaN where nothing arrived; the field `NumberOfUnknownErrors` counts these.
- *   What reading means over cells biases is not in it.
+ *   What reading means over cells biases is not in it;
+ * - each with `_` and the name of a light group behind `Irradiance` or `FluenceRate`, of what that
+ *   group brings, where the source has such arrays (ComputeLightGroups).
  *
  * @section ProbeNearest Nearest
  * With k photons the relative standard error is about 1 / sqrt(k). What is known is the mean over

@@ -28,7 +28,10 @@
  * arrays
  * - `RadiantExposure`, or `RadiantExposureFront` and `RadiantExposureBack` (double, J/m2);
  * - each with `StandardError` behind its name (J/m2), if the input has standard errors; NaN where
- *   it is not known. The 95 % interval is the exposure +- this times the field `ConfidenceFactor`.
+ *   it is not known. The 95 % interval is the exposure +- this times the field `ConfidenceFactor`;
+ * - `RadiantExposure_` and the name of the group (`RadiantExposureFront_`...) of each light group of
+ *   which the input has irradiance (ComputeLightGroups): without errors, and never spread. A group
+ *   that is not there at a time brings nothing then.
  *
  * Field data of the root: the input's at the last time, and `StartTime`, `EndTime` (s),
  * `NumberOfTimeSteps` (intervals between visited times), `IntegrationTimes` (s, one tuple for each

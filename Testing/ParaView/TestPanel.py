@@ -69,6 +69,18 @@ class Panel(unittest.TestCase):
         old.CellEstimate = "Gathered"
         self.assertEqual(plugin.bits(plugin.fetch(old))["1 Irradiance"], gathered)
 
+    def test_light_groups(self):
+        source = plugin.make_scene(NumberOfWalks=5000, ComputeLightGroups=1)
+        full = plugin.bits(plugin.fetch(source))
+        self.assertEqual(full["1 Irradiance_Static"], full["1 Irradiance"])
+        values = memoryview(full["1 Irradiance"]).cast("d").tolist()
+        self.assertGreater(sum(values), 0)
+        source.LightGroupFactors = ["Static", "0.25"]
+        dimmed = memoryview(plugin.bits(plugin.fetch(source))["1 Irradiance"]).cast("d").tolist()
+        self.assertEqual(dimmed, [0.25 * value for value in values])  # a power of two changes no digit
+        source.LightGroupFactors = []
+        self.assertEqual(plugin.bits(plugin.fetch(source))["1 Irradiance"], full["1 Irradiance"])
+
     def test_old_states_load(self):
         """A state of before has the old names, and no Method."""
         source = plugin.make_scene(NumberOfWalks=5001, Method="Walks")  # no other source has as many

@@ -97,4 +97,10 @@ bool haveErrors(vtkDataObject* data)
   return findArray(data, standardErrorName) != nullptr;
 }
 
+bool haveGroup(vtkDataObject* data, const std::string& group)
+{
+  return findArray(data, [&](const std::string& name) { return nameOfGroup(name, group); }) !=
+    nullptr;
+}
+
 }

@@ -34,6 +34,8 @@ void emptyLeaves(
 int bandsOf(vtkDataObject* data);
 /// Whether there are standard errors of the irradiance.
 bool haveErrors(vtkDataObject* data);
+/// Whether there is an array of what a light group brings.
+bool haveGroup(vtkDataObject* data, const std::string& group);
 
 }
 

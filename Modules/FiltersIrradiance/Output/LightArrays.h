@@ -24,6 +24,7 @@ public:
   {
   }
 
+  const char* name() const { return values_->GetName(); }
   int bands() const { return values_->GetNumberOfComponents(); }
   bool haveErrors() const { return errors_ != nullptr; }
   /// `light`: see SensorFinalGather::Light.

@@ -43,6 +43,21 @@ std::string textOfLost(const std::vector<Sensor>& sensors, const std::vector<cha
   return message.str();
 }
 
+/// Adds arrays of what each light group brings, beside those of all.
+void addGroups(const SensorRun& run, const LightArrays& whole, const GroupSensors& stored)
+{
+  for (const LightGroup& group : run.groups.all())
+  {
+    const auto count = static_cast<vtkIdType>(run.sensors.size());
+    const LightArrays arrays(run.output->GetPointData(), nameOfGroup(whole.name(), group.name),
+      whole.bands(), count, whole.haveErrors());
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      arrays.set(i, SensorFinalGather::lightOf(stored.ofGroup(group, static_cast<std::size_t>(i))));
+    }
+  }
+}
+
 }
 
 LightArrays addGatheredLight(vtkDataSet* output, int bands, bool haveNormals, bool haveErrors)
@@ -74,6 +89,10 @@ std::string gatherLight(
   if (arrays.haveErrors())
   {
     addTuple<vtkIdTypeArray>(run.output->GetFieldData(), kNumberOfUnknownErrors, { unknown });
+  }
+  if (run.areGroupsApart)
+  {
+    addGroups(run, arrays, stored);
   }
   return textOfLost(run.sensors, areLost, "a million sizes of the scene from it",
     "values are NaN, as rounding would tell what they see");

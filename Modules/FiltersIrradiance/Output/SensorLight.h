@@ -19,7 +19,8 @@ struct SensorRun
   const std::vector<Sensor>& sensors;
   const LightGroups& groups; ///< of the scene, up to date
   Execution& execution;
-  vtkDataSet* output; ///< with a point for each sensor
+  vtkDataSet* output;          ///< with a point for each sensor
+  bool areGroupsApart = false; ///< whether gathered light of each group has arrays of its own
 };
 
 /// Adds the arrays of what sensors gather: irradiance, or the fluence rate of sensors without

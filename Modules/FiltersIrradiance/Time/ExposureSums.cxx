@@ -47,6 +47,25 @@ std::vector<const char*> sidesIn(vtkDataSetAttributes* values)
   return sides;
 }
 
+/// The light groups that have an array of irradiance of their own.
+std::vector<std::string> groupsIn(vtkCellData* cells, const std::string& suffix)
+{
+  const std::string start = nameOfGroup(irradianceName(suffix), ""), end = standardErrorName("");
+  std::vector<std::string> groups;
+  for (int i = 0; i < cells->GetNumberOfArrays(); ++i)
+  {
+    const std::string name =
+      cells->GetArray(i) && cells->GetArrayName(i) ? cells->GetArrayName(i) : "";
+    const bool isError =
+      name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+    if (!isError && name.compare(0, start.size(), start) == 0)
+    {
+      groups.push_back(name.substr(start.size()));
+    }
+  }
+  return groups;
+}
+
 /// The values of an array that an earlier time had, with so many components.
 SharedValues checkedValues(const std::string& leaf, vtkDataSet* data, const std::string& name,
   std::size_t components, double time)
@@ -84,7 +103,7 @@ Side newSide(const std::string& leaf, const std::string& suffix, vtkDataSet* dat
 {
   const int bands = arrayOf(data, irradianceName(suffix))->GetNumberOfComponents();
   const auto values = static_cast<std::size_t>(bands * data->GetNumberOfCells());
-  Side side{ suffix, bands, std::vector<double>(values), {}, {} };
+  Side side{ suffix, bands, std::vector<double>(values), {}, {}, {} };
   if (vtkDataArray* replicates = arrayOf(data, replicatesName(suffix)))
   {
     const int components = replicates->GetNumberOfComponents();
@@ -162,6 +181,14 @@ void addSide(const std::string& leaf, Side& side, vtkDataSet* data, double time,
       side.errorBound[i] += weight * errors.get()[i];
     }
   }
+  for (const std::string& group : groupsIn(data->GetCellData(), side.suffix))
+  {
+    const auto part = array(nameOfGroup(irradianceName(side.suffix), group), bands);
+    std::vector<double>& sum = side.groups[group];
+    sum.resize(side.exposure.size());
+    std::transform(sum.begin(), sum.end(), part.get(), sum.begin(),
+      [&](double before, double value) { return before + weight * value; });
+  }
 }
 
 void endRuns(Leaf& leaf)
@@ -191,6 +218,11 @@ void appendSide(Side& side, const Side& next, bool isShared)
   };
   add(next.exposure, side.exposure);
   add(next.errorBound, side.errorBound);
+  for (const auto& [group, more] : next.groups)
+  {
+    side.groups[group].resize(more.size());
+    add(more, side.groups[group]);
+  }
   if (side.replicates)
   {
     side.replicates->append(*next.replicates, isShared);
@@ -248,6 +280,12 @@ void removeInput(const Side& side, vtkDataSet* data)
   {
     data->GetCellData()->RemoveArray(name.c_str());
   }
+  for (const std::string& group : groupsIn(data->GetCellData(), side.suffix))
+  {
+    const std::string name = nameOfGroup(irradianceName(side.suffix), group);
+    data->GetCellData()->RemoveArray(name.c_str());
+    data->GetCellData()->RemoveArray(standardErrorName(name).c_str());
+  }
 }
 
 void writeSide(const Side& side, vtkDataSet* data)
@@ -271,6 +309,10 @@ void writeSide(const Side& side, vtkDataSet* data)
   if (!side.errorBound.empty())
   {
     add(standardErrorName(name), [&](std::size_t i) { return side.errorBound[i]; });
+  }
+  for (const auto& [group, exposure] : side.groups)
+  {
+    add(nameOfGroup(name, group), [&part = exposure](std::size_t i) { return part[i]; });
   }
 }
 

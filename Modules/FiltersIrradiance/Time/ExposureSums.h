@@ -9,6 +9,7 @@
 
 #include "vtkType.h"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,6 +37,8 @@ public:
     std::vector<double> exposure; ///< J/m2
     std::optional<ReplicateSums> replicates;
     std::vector<double> errorBound; ///< J/m2, if there are errors, but no replicates
+    /// J/m2 that light groups bring, by name. One that is not there at a time brings nothing then.
+    std::map<std::string, std::vector<double>> groups;
   };
   struct Leaf
   {

@@ -43,6 +43,16 @@ public:
   }
   /// Of all sensors.
   const std::vector<Replicates>& replicates() const { return replicates_; }
+  /// What one group brings to a sensor.
+  Replicates ofGroup(const LightGroup& group, std::size_t sensor) const
+  {
+    Replicates sum(replicates_[sensor].size());
+    if (group.engine)
+    {
+      add(stored_.at(group.name).replicates()[sensor], group, sum);
+    }
+    return sum;
+  }
 
 private:
   static void add(const Replicates& found, const LightGroup& group, Replicates& sum)
