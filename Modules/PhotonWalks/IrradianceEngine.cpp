@@ -58,7 +58,7 @@ FrameChange agreedChange(const FrameChange& change, const SceneObjects& objects,
   ranks.expectSame(hashOf(settings), "other settings than on the first process");
   std::int64_t fresh = change.kind == FrameChange::Fresh ? 1 : 0;
   ranks.sum(&fresh, 1);
-  FrameChange agreed = fresh > 0 ? FrameChange{ FrameChange::Fresh, {} } : change;
+  FrameChange agreed = fresh > 0 ? FrameChange{ FrameChange::Fresh } : change;
   Hash hash;
   hash.add(static_cast<int>(agreed.kind));
   addScene(objects, fresh > 0 ? nullptr : &before, hash);
@@ -92,17 +92,18 @@ void IrradianceEngine::update(
   {
     checkLights(objects, "Method Gathered"); // before anything is shot
   }
-  const FrameChange change = agreedChange(
-    changeTo(objects, settings, execution), objects, frame_.objects, settings, execution.ranks());
+  const FrameChange own = changeTo(objects, settings, execution);
+  isValid_ = false; // until the end is reached
+  const FrameChange change =
+    agreedChange(own, objects, frame_.objects, settings, execution.ranks());
   const bool isFresh = change.kind == FrameChange::Fresh;
   const std::size_t blocks = walks_.numberOfBlocks(), rays = rounds_.rays;
-  isValid_ = false; // until the end is reached
   ++state_;
   adopt(objects, settings, change, execution);
   const bool hasTarget = settings_.targetRelativeError > 0;
   const double begun = isFresh ? 0 : hasTarget ? 0.5 : 1; // what comes after a repair is not known
   ProgressSpan following(execution, 0, begun), shooting(execution, begun, 1);
-  isFresh ? start(execution) : follow(following);
+  isFresh ? start(execution) : follow(change, following);
   hasTarget && !walks_.hasStale() ? reachTarget(shooting) : shootOnce(isFresh, shooting);
   walks_.forgetBudget();
   estimator_->dropRayRounds(rounds_.rays);
@@ -120,9 +121,10 @@ FrameChange IrradianceEngine::changeTo(
   const SceneObjects& objects, const EngineSettings& settings, Execution& execution)
 {
   const WalkPlan plan = WalkSets::planOf(settings);
-  const bool samePlan = plan == WalkSets::planOf(settings_) &&
-    settings.gathersDirectLight == settings_.gathersDirectLight &&
+  const bool sameStarts = settings.gathersDirectLight == settings_.gathersDirectLight &&
     settings.fewestOfCells() == settings_.fewestOfCells();
+  const bool samePlan = sameStarts && plan == WalkSets::planOf(settings_);
+  bool resizes = false;
   // A wall that a point light touches may have moved.
   bool sameLights =
     isValid_ && samePlan && areLightsUnchanged(objects, frame_.objects) && !walks_.mayTouchWalls();
@@ -138,6 +140,7 @@ FrameChange IrradianceEngine::changeTo(
     sameLights = isValid_ && walks_.hasSources(sources);
     if (!sameLights)
     {
+      resizes = isValid_ && sameStarts && walks_.areResizedBy(sources, storesWalks());
       if (settings.gathersDirectLight)
       {
         addLamps(sources);
@@ -145,20 +148,22 @@ FrameChange IrradianceEngine::changeTo(
       walks_.setSources(std::move(sources));
     }
   }
-  const bool replaces = hasReplaced(objects, frame_.objects);
+  const bool replaces = isValid_ && hasReplaced(objects, frame_.objects);
   // Within a time budget ranks that all keep all walks would not repair the same ones.
   const bool mayStay = settings.repairTimeBudget == 0;
   const bool all = settings.allOnEachRank || (settings_.allOnEachRank && mayStay);
-  if (!sameLights || !samePlan || !canRepair(objects, settings) ||
+  if (!(resizes || (sameLights && samePlan)) || !canRepair(objects, settings) ||
     !walks_.areOf(execution.ranks(), all) || (replaces && walks_.hasStale()))
   {
-    return { FrameChange::Fresh, {} };
+    return { FrameChange::Fresh };
   }
-  FrameChange change{ FrameChange::Still, findMoved(objects, frame_.objects) };
+  FrameChange change{ FrameChange::Still, findMoved(objects, frame_.objects),
+    findRepainted(objects, frame_.objects), resizes };
   const bool forgetsHits = settings_.cacheStaticHits && !settings.cacheStaticHits;
-  if (replaces || hasMotion(change.moved) || walks_.staleSums() || forgetsHits)
+  if (replaces || hasMotion(change.moved) || !change.repainted.empty() || resizes ||
+    walks_.staleSums() || forgetsHits)
   {
-    change.kind = replaces ? FrameChange::Replace : FrameChange::Motion;
+    change.kind = replaces ? FrameChange::Replace : FrameChange::Repair;
   }
   return change;
 }
@@ -169,7 +174,8 @@ bool IrradianceEngine::canRepair(const SceneObjects& objects, const EngineSettin
   const bool mayKeepAll = !objects.dynamicObjects.empty() || settings.targetRelativeError == 0;
   return isValid_ && settings.verify && settings_.verify && mayKeepAll &&
     (!settings.keepPhotons || storesWalks()) && settings.seed == settings_.seed &&
-    differsOnlyByMotion(objects, frame_.objects);
+    hasAllCells(objects, frame_.objects) &&
+    (storesWalks() || findRepainted(objects, frame_.objects).empty());
 }
 
 void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& settings,
@@ -177,6 +183,7 @@ void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& 
 {
   frame_.objects = objects;
   frame_.moved = change.moved;
+  frame_.repainted = change.repainted;
   // Walks that are kept for their photons stay: a filter may need them again.
   const bool isFresh = change.kind == FrameChange::Fresh;
   const bool keepsPhotons = settings.keepPhotons || (!isFresh && settings_.keepPhotons);
@@ -200,6 +207,11 @@ void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& 
   if (change.kind == FrameChange::Replace)
   {
     walks_.replaceCells(frame_.objects, frame_.triangles.numbers(), beginning);
+    photons_.reset();
+  }
+  if (change.resizes)
+  {
+    walks_.resize(storesWalks(), frame_, beginning);
     photons_.reset();
   }
 }
@@ -242,19 +254,30 @@ void IrradianceEngine::start(Execution& execution)
   photons_.reset();
 }
 
-void IrradianceEngine::follow(Execution& execution)
+void IrradianceEngine::follow(const FrameChange& change, Execution& execution)
 {
-  const bool hasMoved = hasMotion(frame_.moved);
-  if (hasMoved)
+  const bool hasChanged = frame_.hasChanged();
+  if (hasChanged)
   {
     const double start = steadySeconds();
     commitScene(execution);
     statistics_.verifySeconds = steadySeconds() - start;
   }
-  if (walks_.isEmpty() || !(hasMoved || walks_.hasStale()))
+  const bool repairs = !walks_.isEmpty() && (hasChanged || walks_.hasStale());
+  const double repaired = !change.resizes ? 1 : repairs ? 0.5 : 0; // of the progress
+  ProgressSpan repairing(execution, 0, repaired), shooting(execution, repaired, 1);
+  if (repairs)
   {
-    return;
+    repair(repairing);
   }
+  if (change.resizes)
+  {
+    walks_.shootMissing(storesWalks(), frame_, shooting);
+  }
+}
+
+void IrradianceEngine::repair(Execution& execution)
+{
   if (settings_.gathersDirectLight)
   {
     photons_.reset(); // walks that are born are not among the changes

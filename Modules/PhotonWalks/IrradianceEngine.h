@@ -143,7 +143,8 @@ private:
   void commitScene(Execution& execution);
   /// Forgets all walks and commits the scene.
   void start(Execution& execution);
-  void follow(Execution& execution);
+  void follow(const FrameChange& change, Execution& execution);
+  void repair(Execution& execution);
   void shootRound(std::size_t round, Execution& execution);
   /// Without a target, or as long as walks are stale: `isFresh` tells that no walk is shot yet.
   void shootOnce(bool isFresh, Execution& execution);

@@ -149,6 +149,30 @@ TEST(Pipeline, ADeformingObjectIsARepair)
   EXPECT_GT(Field(filter, "NumberOfInvalidWalks"), 0);
 }
 
+// Walks that reach what was painted go on as they did, but for those whose survival it decides.
+TEST(Pipeline, OtherReflectancesAreARepair)
+{
+  const Scene scene = MakeSmallScene();
+  const Mesh painted[] = { scene.Fixed[0], scene.Moving[0].Model };
+  const auto filter = MakeFilter(scene, NumberOfWalks);
+  for (const double reflectance : { 0.5, 0.55, 0.5, 0.4 })
+  {
+    for (const Mesh& mesh : painted)
+    {
+      SetCellValues(mesh, "DiffuseReflectance", { reflectance });
+    }
+    const bool isFirst = reflectance == 0.5 && !filter->GetOutput()->GetNumberOfBlocks();
+    EXPECT_TRUE(UpdatesLikeANewOne(filter, scene)) << reflectance;
+    EXPECT_EQ(HasShot(filter), isFirst) << reflectance;
+    EXPECT_EQ(Field(filter, "NumberOfInvalidWalks") > 0, !isFirst) << reflectance;
+    EXPECT_LT(Field(filter, "NumberOfRepairedSegments"), 0.4 * Field(filter, "NumberOfSegments"));
+    if (reflectance > 0.5) // while something moves
+    {
+      scene.Moving[0].Pose->Translate(0.3, 0.2, 0.1);
+    }
+  }
+}
+
 TEST(Pipeline, EveryOtherChangeIsANewFilter)
 {
   Scene scene = MakeSmallScene();

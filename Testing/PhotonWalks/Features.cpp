@@ -27,6 +27,59 @@ std::function<Film()> moving(const EngineSettings& settings, int bands, bool isC
   };
 }
 
+/// Objects get other reflectances, the room as well if `paintsRoom`, while things move or rest. In
+/// the end all look as they did.
+std::function<Film()> painting(const EngineSettings& settings, int bands, unsigned seed,
+  bool isGlossy = false, bool paintsRoom = true)
+{
+  return [=] {
+    MovingScene scene(bands, true, seed, isGlossy);
+    RandomVectors random(seed);
+    const SceneObjects first = scene.objects();
+    SceneObjects painted = first;
+    Film film;
+    for (int frame = 0; frame < kFrames; ++frame)
+    {
+      SceneObjects objects = scene.objects();
+      for (std::size_t i = 0; i < objects.dynamicObjects.size(); ++i)
+      {
+        objects.dynamicObjects[i].material = painted.dynamicObjects[i].material;
+      }
+      objects.staticObject.material = painted.staticObject.material;
+      film.push_back({ objects, settings });
+      frame % 2 == 0 ? scene.nextFrame() : void();
+      const bool isGloss = isGlossy && random.engine() % 4 > 0;
+      paint(painted.dynamicObjects[random.engine() % 6], random, isGloss);
+      paintsRoom ? paint(painted.staticObject, random, isGloss) : void();
+      painted = frame == kFrames - 2 ? first : painted;
+    }
+    return film;
+  };
+}
+
+/// The number of walks rises and falls while things move and are painted. There is one source.
+std::function<Film()> resizing(const EngineSettings& settings, int bands)
+{
+  return [=] {
+    RandomVectors random(61);
+    SceneObjects objects{ litRoom(4, bands).build(),
+      { ball({}, 0.4, 4, grey(0.5), bands),
+        block({ 3, 3, 0.3 }, { 0.3, 0.2, 0.3 }, 1, grey(0.5), bands) } };
+    Film film;
+    for (const double times : { 1.0, 2.0, 2.1, 0.7, 1.0, 1.0 })
+    {
+      const bool isMoving = film.size() % 3 > 0, isPainted = film.size() % 2 > 0;
+      objects.dynamicObjects[0].worldFromObject.translation =
+        isMoving ? Vector3(random.uniform(1, 3), 1.5, 1) : Vector3(2, 1.5, 1);
+      isPainted ? paint(objects.staticObject, random) : void();
+      film.push_back({ objects, settings });
+      film.back().settings.numberOfWalks =
+        static_cast<std::uint32_t>(times * settings.numberOfWalks);
+    }
+    return film;
+  };
+}
+
 /// An object goes from place to place.
 Film going(SceneObjects objects, const EngineSettings& settings, const std::vector<Vector3>& places)
 {
@@ -471,6 +524,20 @@ std::vector<Feature> features()
     { "SkyOfFinalGather", outdoors(Shoot(5000).finalGather(8).everywhere().errors(4), 3, 0.005) },
     { "SensorsUnderTheSky", outdoors(Shoot(walks).gathered().errors(3).keptByAll(), 3, 0.01),
       bySensors },
+    { "Painted", painting(Shoot(walks).cached(), 1, 51) },
+    { "PaintedGloss", painting(Shoot(few).errors(4), 1, 52, true) },
+    { "PaintedGlossInColour", painting(Shoot(few).bySide().cached(), 3, 53, true) },
+    { "PaintedSpread", painting(Shoot(few).spread(100).errors(4), 1, 54) },
+    { "PaintedTarget", painting(Shoot(few).errors(8).target(0.5, 20000), 1, 55), {}, true },
+    { "PaintedThingsInGatheredLight", painting(Shoot(few).gathered(), 3, 56, true, false) },
+    { "PaintedThingsOfFinalGather", painting(Shoot(5000).finalGather(8), 1, 57, false, false) },
+    { "PaintedRoomOfFinalGather", painting(Shoot(5000).finalGather(8).errors(3), 3, 58), {}, true },
+    { "PaintedBeforeEyes", painting(Shoot(scaled(500)).keptByAll(), 1, 59, true), byAll },
+    { "PaintedBeforeStoredSensors", painting(Shoot(few).keptByAll(), 1, 60), byStoredSensors },
+    { "Resized", resizing(Shoot(walks).cached(), 1), {}, true },
+    { "ResizedInColour", resizing(Shoot(walks).bySide().errors(3), 3), {}, true },
+    { "ResizedSpread", resizing(Shoot(few).spread(100).errors(4), 1), {}, true },
+    { "ResizedBeforeEyes", resizing(Shoot(scaled(500)).keptByAll(), 1), byAll, true },
     { "ManyMovers", amongMany(24, 0.2, Shoot(walks)) },
     { "ManySmallMovers", amongMany(40, 0.05, Shoot(4 * walks)) },
     { "VeryManyMovers", amongMany(520, 0.04, Shoot(walks)) },

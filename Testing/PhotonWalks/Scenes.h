@@ -386,6 +386,34 @@ private:
   std::shared_ptr<const Material> deformingSurface_;
 };
 
+/// A third of the cells of an object reflect otherwise, diffusely, and if `isGlossy` along lobes or
+/// as mirrors; if not, no cell does.
+inline void paint(SceneObject& object, RandomVectors& random, bool isGlossy = false)
+{
+  Material now = *object.material;
+  const auto bands = static_cast<std::size_t>(now.bands);
+  std::vector<double> specular(now.reflectance.size()), exponents(now.numberOfCells, 9);
+  specular = now.isSpecular() ? now.specularReflectance : specular;
+  exponents = now.isSpecular() ? now.phongExponent : exponents;
+  for (std::size_t cell = 0; cell < now.numberOfCells; ++cell)
+  {
+    const bool isPainted = random.engine() % 3 == 0;
+    for (std::size_t i = cell * bands; isPainted && i < (cell + 1) * bands; ++i)
+    {
+      now.reflectance[i] = random.uniform(0, 0.6);
+      specular[i] = random.uniform(0, 0.4);
+      exponents[cell] = random.engine() % 2 == 0 ? 9 : kInfinity;
+    }
+  }
+  now.specularReflectance.clear();
+  now.phongExponent.clear();
+  if (isGlossy)
+  {
+    now.setSpecular(specular, exponents);
+  }
+  object.material = std::make_shared<const Material>(now);
+}
+
 }
 
 #endif

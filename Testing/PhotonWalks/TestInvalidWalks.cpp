@@ -17,9 +17,14 @@ public:
         objects, WalkPlan(settings.numberOfWalks, settings.numberOfWalks, 1), settings.seed)
   {
   }
-  std::vector<WalkSegment> trace(std::uint32_t walk) const
+  const std::vector<WalkSegment>& trace(std::uint32_t walk) const
   {
-    return shotWalk(tracer(), objects(), walk);
+    traces_.resize(std::max<std::size_t>(traces_.size(), walk + 1));
+    if (traces_[walk].empty())
+    {
+      traces_[walk] = shotWalk(tracer(), objects(), walk);
+    }
+    return traces_[walk];
   }
   bool isMoved(const TracedFrame& before, const Hit& hit) const
   {
@@ -30,29 +35,43 @@ public:
     const SceneObject &now = objects()[hit.id.object], &then = before.objects()[hit.id.object];
     return now.body != then.body || now.worldFromObject != then.worldFromObject;
   }
+
+private:
+  mutable std::vector<std::vector<WalkSegment>> traces_; ///< by walk, as far as they are known
 };
+
+/// Whether walks that are the same up to a segment differ in the next one.
+bool differAfter(
+  std::size_t i, const std::vector<WalkSegment>& a, const std::vector<WalkSegment>& b)
+{
+  const bool areLast = i + 1 == a.size();
+  return areLast != (i + 1 == b.size()) ||
+    (!areLast &&
+      !(a[i + 1].ray.direction == b[i + 1].ray.direction && a[i + 1].power == b[i + 1].power));
+}
 
 struct InvalidCounts
 {
   std::int64_t invalid = 0, repaired = 0;
 };
 
-/// By definition: a segment is stale if the object that it hit has moved, or if a cast into the
-/// whole new scene finds another hit.
+/// By definition: a segment is stale if the object that it hit has moved, if a cast into the whole
+/// new scene finds another hit, or if the walk leaves this otherwise.
 InvalidCounts countByDefinition(
   const TracedFrame& before, const TracedFrame& now, std::uint32_t walks)
 {
   InvalidCounts counts;
   for (std::uint32_t walk = 0; walk < walks; ++walk)
   {
-    const std::vector<WalkSegment> trace = before.trace(walk);
+    const std::vector<WalkSegment>&trace = before.trace(walk), &anew = now.trace(walk);
     for (std::uint32_t i = 0; i < trace.size(); ++i)
     {
       const Hit& old = trace[i].hit;
-      if (now.isMoved(before, old) || now.scene().cast(trace[i].ray) != old)
+      if (now.isMoved(before, old) || now.scene().cast(trace[i].ray) != old ||
+        differAfter(i, trace, anew))
       {
         ++counts.invalid;
-        counts.repaired += now.trace(walk).size() - i;
+        counts.repaired += anew.size() - i;
         break;
       }
     }
@@ -75,6 +94,39 @@ TEST(InvalidWalks, AreThoseThatChangedByDefinition)
       auto now = std::make_unique<TracedFrame>(scene.objects(), settings);
       engine.update(scene.objects(), settings);
       const InvalidCounts counts = countByDefinition(*before, *now, settings.numberOfWalks);
+      EXPECT_EQ(engine.statistics().invalidWalks, counts.invalid) << "frame " << frame;
+      EXPECT_EQ(engine.statistics().repairedSegments, counts.repaired) << "frame " << frame;
+      before = std::move(now);
+    }
+  }
+}
+
+// Likewise where cells reflect otherwise, whether things move or not.
+TEST(InvalidWalks, AreThoseThatOtherReflectancesChange)
+{
+  for (const int bands : { 1, 3 })
+  {
+    MovingScene scene(bands, true, 73);
+    RandomVectors random(74);
+    SceneObjects objects = scene.objects();
+    const Shoot settings(scaled(250));
+    UpdatedEngine engine(objects, settings);
+    auto before = std::make_unique<TracedFrame>(objects, settings);
+    for (std::size_t frame = 1; frame <= 6; ++frame)
+    {
+      scene.nextFrame();
+      SceneObject& painted =
+        frame % 2 == 0 ? objects.staticObject : objects.dynamicObjects[frame % 6];
+      paint(painted, random, frame > 4);
+      for (std::size_t i = 0; frame % 3 == 0 && i < objects.dynamicObjects.size(); ++i)
+      {
+        objects.dynamicObjects[i].worldFromObject =
+          scene.objects().dynamicObjects[i].worldFromObject;
+      }
+      auto now = std::make_unique<TracedFrame>(objects, settings);
+      engine.update(objects, settings);
+      const InvalidCounts counts = countByDefinition(*before, *now, settings.numberOfWalks);
+      EXPECT_EQ(engine.statistics().shootSeconds, 0);
       EXPECT_EQ(engine.statistics().invalidWalks, counts.invalid) << "frame " << frame;
       EXPECT_EQ(engine.statistics().repairedSegments, counts.repaired) << "frame " << frame;
       before = std::move(now);

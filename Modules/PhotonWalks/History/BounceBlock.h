@@ -117,6 +117,9 @@ public:
     });
   }
 
+  /// Of all segments, if there is one band.
+  void setPower(const Power& power) { power_ = power; }
+
   // From a segment of a walk to its slot, and back.
   /// The first segment of a walk, or kNone.
   std::uint32_t begin(std::uint32_t walk) const

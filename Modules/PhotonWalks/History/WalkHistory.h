@@ -81,6 +81,8 @@ public:
   const PointGrid& grid() const { return grid_; }
   const TriangleNumbers& numbers() const { return numbers_; }
   int bands() const { return bands_; }
+  /// Of all segments, if there is one band.
+  const Power& powerPerWalk() const { return power_; }
 
   std::size_t size() const { return blocks_.size(); }
   const BounceBlock& block(std::size_t i) const { return blocks_[i]; }
@@ -95,6 +97,17 @@ public:
 
   /// Changes to a plan that has more rounds.
   void extend(const WalkPlan& plan) { plan_ = plan; }
+  /// Changes to a plan with other walks after those that are stored, which if there is one band now
+  /// have this power.
+  void replan(const WalkPlan& plan, const Power& power)
+  {
+    plan_ = plan;
+    power_ = power;
+    for (BounceBlock& block : blocks_)
+    {
+      block.setPower(power);
+    }
+  }
   /// Adds the next block, whose walks have no segments yet.
   void append();
   void removeLast();

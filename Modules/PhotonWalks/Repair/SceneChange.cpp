@@ -7,10 +7,11 @@ namespace irradiance
 namespace
 {
 
-bool isSameLook(const SceneObject& now, const SceneObject& before)
+bool hasSameCells(const SceneObject& now, const SceneObject& before)
 {
-  return now.material == before.material && now.lampCells == before.lampCells &&
-    now.body->mesh().size() == before.body->mesh().size();
+  return now.lampCells == before.lampCells &&
+    now.body->mesh().size() == before.body->mesh().size() &&
+    now.material->hasCellsOf(*before.material);
 }
 
 /// Whether both frames have the same number of objects, and `isSame` holds for each pair.
@@ -38,17 +39,32 @@ bool areLightsUnchanged(const SceneObjects& now, const SceneObjects& before)
     });
 }
 
-bool differsOnlyByMotion(const SceneObjects& now, const SceneObjects& before)
+bool hasAllCells(const SceneObjects& now, const SceneObjects& before)
 {
   return now.staticObject.body == before.staticObject.body &&
     isSameForAll(now, before, [](const SceneObject& a, const SceneObject& b) {
-      return !b.isPresent || isSameLook(a, b); // no stored walk has hit an absent object
+      return !b.isPresent || hasSameCells(a, b); // no stored walk has hit an absent object
     });
 }
 
 bool hasReplaced(const SceneObjects& now, const SceneObjects& before)
 {
-  return !isSameForAll(now, before, isSameLook);
+  return !isSameForAll(now, before, hasSameCells);
+}
+
+Repainted findRepainted(const SceneObjects& now, const SceneObjects& before)
+{
+  Repainted repainted(now.size());
+  bool isAny = false;
+  for (std::uint32_t i = 0; i < now.size(); ++i)
+  {
+    if (now[i].material != before[i].material && hasSameCells(now[i], before[i]))
+    {
+      repainted[i] = before[i].material;
+      isAny = true;
+    }
+  }
+  return isAny ? repainted : Repainted();
 }
 
 std::vector<bool> findMoved(const SceneObjects& now, const SceneObjects& before)

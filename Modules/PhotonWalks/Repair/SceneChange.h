@@ -2,7 +2,7 @@
 #ifndef irradiance_SceneChange_h
 #define irradiance_SceneChange_h
 
-#include "Surfaces/SceneObjects.h"
+#include "Surfaces/Frame.h"
 
 #include <vector>
 
@@ -15,13 +15,15 @@ struct FrameChange
   enum Kind
   {
     Still,   ///< nothing: no walk can have changed
-    Motion,  ///< verification and repair
-    Replace, ///< likewise, and sums for objects that look different; no walk has touched these
+    Repair,  ///< verification and repair
+    Replace, ///< likewise, and sums for objects of other cells; no walk has touched these
     Fresh    ///< all are shot again
   };
 
-  Kind kind;
-  std::vector<bool> moved; ///< for each dynamic object, see findMoved(); empty if all is fresh
+  Kind kind = Fresh;
+  std::vector<bool> moved{}; ///< for each dynamic object, see findMoved(); empty if all is fresh
+  Repainted repainted{};     ///< see findRepainted(); empty if all is fresh
+  bool resizes = false;      ///< another number of walks; those that were shot and stay are a part
 };
 
 /// Whether two frames have the same lights. Cheap: it compares addresses and poses, so false does
@@ -29,12 +31,16 @@ struct FrameChange
 bool areLightsUnchanged(const SceneObjects& now, const SceneObjects& before);
 
 /// Whether two frames differ at most in which dynamic objects are there, in their poses and in
-/// their points, and in the look of objects that were not there before.
-bool differsOnlyByMotion(const SceneObjects& now, const SceneObjects& before);
+/// their points, in how cells reflect and emit, and in the cells of objects that were not there
+/// before.
+bool hasAllCells(const SceneObjects& now, const SceneObjects& before);
 
-/// Whether an object has another material or another number of triangles, or there are more or
-/// fewer objects.
+/// Whether an object has other cells or another number of triangles, or there are more or fewer
+/// objects.
 bool hasReplaced(const SceneObjects& now, const SceneObjects& before);
+
+/// The objects with the same cells in another material. Both frames have as many objects.
+Repainted findRepainted(const SceneObjects& now, const SceneObjects& before);
 
 /// Which dynamic objects have come or gone, or have another pose or other points. Both frames have
 /// as many of them.

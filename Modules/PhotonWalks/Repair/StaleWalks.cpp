@@ -22,14 +22,10 @@ std::uint32_t powerClassOf(const Power& power)
   return bitCast<std::uint32_t>(all) >> 21;
 }
 
-}
-
-StaleWalks::StaleWalks(
-  const SceneObjects& objects, std::size_t blocks, const SobolSequence& samples)
-  : blocks_(blocks)
-  , sums_(objects)
-  , samples_(samples)
+/// Of any triangle, in all.
+double largestReflectance(const SceneObjects& objects)
 {
+  double all = 0;
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
     const Material& material = *objects[object].material;
@@ -41,9 +37,36 @@ StaleWalks::StaleWalks(
         return *std::max_element(first, first + bands);
       };
       // More than 1 in all if they are of different bands: then powers may grow.
-      reflectance_ = std::max(reflectance_,
+      all = std::max(all,
         largest(material.reflectance) +
           (material.isSpecular() ? largest(material.specularReflectance) : 0));
+    }
+  }
+  return all;
+}
+
+}
+
+StaleWalks::StaleWalks(
+  const SceneObjects& objects, std::size_t blocks, const SobolSequence& samples)
+  : blocks_(blocks)
+  , sums_(objects)
+  , samples_(samples)
+  , reflectance_(largestReflectance(objects))
+{
+}
+
+void StaleWalks::repaint(const SceneObjects& objects, const WalkHistory& history)
+{
+  reflectance_ = largestReflectance(objects);
+  for (Block& block : blocks_)
+  {
+    block.power = {};
+    for (StaleMark& mark : block.marks)
+    {
+      const Power carried = history.power(mark.first());
+      mark.gain = gainOf(mark.walk, mark.bounce, carried);
+      block.power.add(carried, mark.gain, 1);
     }
   }
 }

@@ -63,6 +63,9 @@ public:
   /// For the stored walks of so many blocks.
   StaleWalks(const SceneObjects& objects, std::size_t blocks, const SobolSequence& samples);
 
+  /// Changes to materials of the same cells. `history`: of the walks.
+  void repaint(const SceneObjects& objects, const WalkHistory& history);
+
   bool isEmpty() const;
   std::size_t numberOfBlocks() const { return blocks_.size(); }
   StaleMarks& marks(std::size_t block) { return blocks_[block].marks; }
@@ -134,7 +137,7 @@ private:
   std::size_t numberOfUnborn_ = 0;
   StalePower unborn_;
   SobolSequence samples_;
-  double reflectance_ = 0; ///< the largest of any triangle
+  double reflectance_; ///< the largest of any triangle
 };
 
 }

@@ -7,10 +7,12 @@ namespace irradiance
 {
 
 WalkVerifier::WalkVerifier(const WalkTracer& tracer, const WalkHistory& history,
-  const std::vector<bool>& moved, const BounceScan& scan, bool cachesStaticHits)
+  const std::vector<bool>& moved, const BounceScan& scan, const ChangedReflections& reflections,
+  bool cachesStaticHits)
   : tracer_(tracer)
   , history_(history)
   , scan_(scan)
+  , reflections_(reflections)
   , cachesStaticHits_(cachesStaticHits)
   , firstDynamic_(history.numbers().objects() > 1 ? history.numbers().first(1) : WalkFront::kNone)
 {
@@ -140,21 +142,41 @@ void WalkVerifier::cast(Memory& memory, bool byAllDynamic) const
   castUncovered(memory);
 }
 
-/// Decides for each flagged segment of a block how to find out whether it is stale.
-void WalkVerifier::sort(std::size_t number, const std::vector<std::uint32_t>& slots,
+/// Decides for each flagged segment of a block how to find out whether it is stale. Those at whose
+/// hits walks go on otherwise are.
+void WalkVerifier::sort(std::size_t number, std::vector<std::uint32_t>& slots,
   const StaleMarks* known, std::uint32_t* firstStale, Memory& memory) const
 {
   const BounceBlock& block = history_.block(number);
   const auto isKnown = [&](std::uint32_t slot) {
     return known && irradiance::isStale(*known, block.segmentAt(slot));
   };
-  for (const std::uint32_t slot : slots)
-  {
-    if (hasMoved(block.triangle(slot)) && !isKnown(slot))
+  const auto noteStale = [&](std::uint32_t slot) {
+    if (!isKnown(slot))
     {
       std::uint32_t& least = firstStale[block.walkOf(slot) - block.firstWalk()];
       least = std::min(least, block.bounceOf(slot));
     }
+  };
+  for (const std::uint32_t slot : slots)
+  {
+    if (hasMoved(block.triangle(slot)))
+    {
+      noteStale(slot);
+    }
+  }
+  if (!reflections_.isEmpty())
+  {
+    const auto flagged = static_cast<std::ptrdiff_t>(slots.size());
+    block.forEach([&](std::uint32_t slot) {
+      if (reflections_.change(block, slot))
+      {
+        noteStale(slot);
+        slots.push_back(slot);
+      }
+    });
+    std::inplace_merge(slots.begin(), slots.begin() + flagged, slots.end());
+    slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
   }
   memory.reserve(slots.size(), history_.bands());
   for (const std::uint32_t slot : slots)

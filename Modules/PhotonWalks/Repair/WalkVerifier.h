@@ -3,6 +3,7 @@
 #define irradiance_WalkVerifier_h
 
 #include "History/BounceScan.h"
+#include "Repair/ChangedReflections.h"
 #include "Repair/StaleWalks.h"
 #include "Shooting/StoredRays.h"
 
@@ -18,7 +19,8 @@ namespace irradiance
  *
  * Section 3.2 of the paper, sharpened: only the objects that moved are tested, unless the object
  * that was hit has itself moved. A scan flags the segments near moved objects; rays are cast for
- * those alone, many at a time, and for none behind a segment that is certainly stale.
+ * those alone, many at a time, and for none behind a segment that is certainly stale. A segment
+ * whose hit reflects the walk otherwise is stale as well: all after it are shot again.
  */
 class WalkVerifier
 {
@@ -26,7 +28,7 @@ public:
   /// `moved[i]`: the i-th dynamic object has another pose or shape than in the stored frame. `scan`
   /// flags all segments that these objects may change. `cachesStaticHits`: see HiddenHit.
   WalkVerifier(const WalkTracer& tracer, const WalkHistory& history, const std::vector<bool>& moved,
-    const BounceScan& scan, bool cachesStaticHits);
+    const BounceScan& scan, const ChangedReflections& reflections, bool cachesStaticHits);
 
   /// The memory of one thread.
   class Memory
@@ -81,7 +83,7 @@ private:
   {
     return triangle >= firstDynamic_ && triangle != WalkFront::kNone;
   }
-  void sort(std::size_t number, const std::vector<std::uint32_t>& slots, const StaleMarks* known,
+  void sort(std::size_t number, std::vector<std::uint32_t>& slots, const StaleMarks* known,
     std::uint32_t* firstStale, Memory& memory) const;
   /// `isLost`: nothing is known of the new hit.
   void add(std::size_t number, std::uint32_t slot, bool isLost, Memory& memory) const;
@@ -102,6 +104,7 @@ private:
   const WalkTracer& tracer_;
   const WalkHistory& history_;
   const BounceScan& scan_;
+  const ChangedReflections& reflections_;
   bool cachesStaticHits_;
   std::uint32_t firstDynamic_;         ///< triangle
   std::vector<std::uint8_t> hasMoved_; ///< by dynamic triangle

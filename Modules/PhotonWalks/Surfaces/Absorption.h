@@ -87,6 +87,28 @@ inline Power survivingPower(const Power& incoming, const Material& material, std
   return outgoing;
 }
 
+/// What becomes of a walk at a hit.
+struct Reflection
+{
+  bool survives = false, isSpecular = false;
+  Power outgoing; ///< if it survives
+};
+
+/// `sample`: of the survival.
+inline Reflection reflectionOf(
+  const Power& incoming, const Material& material, std::size_t cell, double sample)
+{
+  const SurvivalProbabilities survival = survivalProbabilities(incoming, material, cell);
+  // In one band the sum of both parts may be rounded, and is not what decides.
+  if (!(sample < (material.bands == 1 ? material.totalReflectance()[cell] : survival.total())))
+  {
+    return {};
+  }
+  const bool isSpecular = survival.isSpecularAt(sample);
+  return { true, isSpecular,
+    survivingPower(incoming, material, cell, isSpecular, survival.of(isSpecular)) };
+}
+
 }
 
 #endif

@@ -92,6 +92,28 @@ struct Material
     return sum / bands;
   }
 
+  /// Whether another material is of the same cells, which may reflect otherwise.
+  bool hasCellsOf(const Material& other) const
+  {
+    return this == &other ||
+      (bands == other.bands && numberOfCells == other.numberOfCells &&
+        cellOfTriangle == other.cellOfTriangle && firstCellOfPart == other.firstCellOfPart);
+  }
+  /// Whether a cell reflects as that of another material of the same cells does.
+  bool reflectsAs(const Material& other, std::size_t cell) const
+  {
+    const auto bandsAt = [&](const std::vector<double>& values) {
+      return values.begin() + static_cast<std::ptrdiff_t>(cell * static_cast<std::size_t>(bands));
+    };
+    const auto areSame = [&](const std::vector<double>& a, const std::vector<double>& b) {
+      return std::equal(bandsAt(a), bandsAt(a) + bands, bandsAt(b));
+    };
+    return areSame(reflectance, other.reflectance) && isSpecular(cell) == other.isSpecular(cell) &&
+      (!isSpecular(cell) ||
+        (areSame(specularReflectance, other.specularReflectance) &&
+          phongExponent[cell] == other.phongExponent[cell]));
+  }
+
   std::uint32_t partOfCell(std::size_t cell) const
   {
     return static_cast<std::uint32_t>(
@@ -101,10 +123,8 @@ struct Material
 
   friend bool operator==(const Material& a, const Material& b)
   {
-    return a.bands == b.bands && a.numberOfCells == b.numberOfCells &&
-      a.cellOfTriangle == b.cellOfTriangle && a.reflectance == b.reflectance &&
-      a.specularReflectance == b.specularReflectance && a.phongExponent == b.phongExponent &&
-      a.firstCellOfPart == b.firstCellOfPart;
+    return a.hasCellsOf(b) && a.reflectance == b.reflectance &&
+      a.specularReflectance == b.specularReflectance && a.phongExponent == b.phongExponent;
   }
 
 private:

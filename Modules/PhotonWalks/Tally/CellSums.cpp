@@ -85,7 +85,7 @@ void CellSums::replace(const SceneObjects& objects, const CancelPoint& cancelPoi
   {
     for (std::uint32_t object = 0; object < objects.size(); ++object)
     {
-      if (now.materials_[object] == materials_[object])
+      if (now.materials_[object]->hasCellsOf(*materials_[object]))
       {
         const std::size_t first = slotOf({ object, 0, 0 }, 0, round);
         const std::size_t firstNow = now.slotOf({ object, 0, 0 }, 0, round);
@@ -114,6 +114,15 @@ void CellSums::setRounds(std::size_t rounds, const CancelPoint& cancelPoint)
   resize(sums_, areShot_ ? rounds * roundSize_ : 0, cancelPoint);
   resize(gathered_, rounds * gatheredSize_, cancelPoint);
   rounds_ = rounds;
+}
+
+void CellSums::rescale(const WalkPlan& plan, std::int64_t quantaBefore, std::int64_t quanta)
+{
+  plan_ = plan;
+  for (std::size_t i = 0; quanta != quantaBefore && i < sums_.size(); ++i)
+  {
+    sums_[i] = sums_[i] / quantaBefore * quanta;
+  }
 }
 
 void CellSums::add(const std::vector<Deposit>& deposits)

@@ -60,6 +60,9 @@ public:
     plan_ = plan;
     setRounds(plan.rounds().size(), cancelPoint);
   }
+  /// Changes to a plan with another number of walks in its only round, whose photons have other
+  /// quanta. All sums are of photons.
+  void rescale(const WalkPlan& plan, std::int64_t quantaBefore, std::int64_t quanta);
   std::size_t rounds() const { return rounds_; }
   std::size_t bytes() const
   {

@@ -34,6 +34,19 @@ struct PowerBalance
     received += other.received;
     return *this;
   }
+
+  /// Where all photons had as many quanta, and now have others.
+  void rescale(std::int64_t quantaBefore, std::int64_t quanta)
+  {
+    for (Power* const power : { &emitted, &absorbed, &escaped, &unmet })
+    {
+      for (std::int64_t& sum : power->quanta)
+      {
+        sum = sum / quantaBefore * quanta;
+      }
+    }
+    received *= static_cast<double>(quanta) / static_cast<double>(quantaBefore);
+  }
 };
 
 /// Throws std::overflow_error when cell sums might overflow.

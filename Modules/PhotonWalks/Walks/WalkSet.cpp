@@ -3,6 +3,7 @@
 
 #include "Shooting/StoredRays.h"
 
+#include <atomic>
 #include <iterator>
 #include <mutex>
 #include <numeric>
@@ -108,6 +109,7 @@ void WalkSet::shootBlocks(
   const SobolSequence samples = this->samples();
   const WalkTracer tracer = this->tracer(frame, samples);
   std::mutex mutex;
+  std::atomic<std::int64_t> shot{ 0 };
   const std::size_t first = blocks_.before(walks.firstBlock), end = blocks_.before(walks.endBlock);
   const std::size_t units =
     lights().isEmpty() ? 0 : (end - first + kBlocksTogether - 1) / kBlocksTogether;
@@ -123,7 +125,9 @@ void WalkSet::shootBlocks(
         open[unit] = batches_->take();
         open[unit]->begin(tracer, isStored ? &history_ : nullptr);
         const std::size_t begin = first + unit * kBlocksTogether;
-        fill(*open[unit], begin, std::min(begin + kBlocksTogether, end), tracer.stages().bands());
+        fill(*open[unit], begin, std::min(begin + kBlocksTogether, end), walks.firstWalk,
+          tracer.stages().bands());
+        shot += static_cast<std::int64_t>(open[unit]->front().size);
         open[unit]->start(tally);
       }
       isDone = open[unit]->run(tally, hasToStop);
@@ -135,15 +139,18 @@ void WalkSet::shootBlocks(
     addLocked(balance, balance_, mutex);
     return isDone;
   });
+  statistics_.shotWalks += shot;
 }
 
-void WalkSet::fill(WalkBatch& batch, std::size_t first, std::size_t end, int bands) const
+void WalkSet::fill(
+  WalkBatch& batch, std::size_t first, std::size_t end, std::uint32_t beginning, int bands) const
 {
   WalkFront& front = batch.front();
   for (std::size_t i = first; i < end; ++i)
   {
-    const std::uint32_t firstWalk = plan().firstWalkOf(blocks_[i]);
-    const std::uint32_t count = plan().walksIn(blocks_[i]);
+    const std::uint32_t ofBlock = plan().firstWalkOf(blocks_[i]);
+    const std::uint32_t firstWalk = std::max(ofBlock, beginning);
+    const std::uint32_t count = ofBlock + plan().walksIn(blocks_[i]) - firstWalk;
     front.reserve(front.size + count, bands);
     std::uint32_t* const begin = front.walk.data() + front.size;
     std::iota(begin, begin + count, firstWalk);
@@ -158,10 +165,20 @@ void WalkSet::fill(WalkBatch& batch, std::size_t first, std::size_t end, int ban
 void WalkSet::dropRounds(
   std::size_t kept, const SceneTriangles& triangles, const CancelPoint& cancelPoint)
 {
-  const std::size_t blocks = blocks_.before(plan().rounds()[kept - 1].endBlock);
+  dropBlocks(blocks_.before(plan().rounds()[kept - 1].endBlock), triangles, cancelPoint);
+  if (gathered_)
+  {
+    gathered_->drop(kept, totals(), cancelPoint);
+  }
+  sums_.setRounds(kept, cancelPoint);
+}
+
+void WalkSet::dropBlocks(
+  std::size_t kept, const SceneTriangles& triangles, const CancelPoint& cancelPoint)
+{
   const int bands = history_.bands();
   WalkFront old;
-  while (history_.size() > blocks)
+  while (history_.size() > kept)
   {
     const BounceBlock& last = history_.block(history_.size() - 1);
     old.size = 0;
@@ -170,44 +187,85 @@ void WalkSet::dropRounds(
       addStored(last, slot, bands, old);
       starting += slot < last.numberOfWalks() ? last.power(slot) : Power{};
     });
-    FrontTally tally(triangles, sums_, balance_, powerPerWalk(), old.size);
+    FrontTally tally(triangles, sums_, balance_, history_.powerPerWalk(), old.size);
     tally.remove(old, starting);
     gathered_ ? tally.unrelease(starting) : tally.unemit(starting);
     history_.removeLast();
     cancelPoint();
   }
-  if (gathered_)
+}
+
+bool WalkSet::isResizedBy(const WalkSource& source, bool areStored) const
+{
+  // With several bands powers are rounded to quanta at each hit.
+  const bool keepPower = history_.bands() == 1 || source.quantaPerWalk() == source_.quantaPerWalk();
+  return source_.differsInNumber(source) && keepPower && !hasStale() &&
+    (areStored || source.plan.most() > source_.plan.most());
+}
+
+void WalkSet::resize(
+  bool areStored, const SceneTriangles& triangles, const CancelPoint& cancelPoint)
+{
+  const std::uint32_t before = sums_.plan().most();
+  const WalkRound& round = plan().rounds().front();
+  missing_ = round;
+  missing_.firstBlock = std::min(before, plan().most()) / WalkPlan::kWalksPerBlock;
+  // A stored block of fewer walks than it is to have is shot again.
+  missing_.firstWalk +=
+    areStored ? static_cast<std::uint32_t>(missing_.firstBlock) * WalkPlan::kWalksPerBlock : before;
+  dropBlocks(blocks_.before(missing_.firstBlock), triangles, cancelPoint);
+  const std::int64_t quantaBefore = history_.powerPerWalk()[0], quanta = source_.quantaPerWalk();
+  sums_.rescale(plan(), quantaBefore, quanta);
+  if (quanta != quantaBefore) // then all photons are alike
   {
-    gathered_->drop(kept, totals(), cancelPoint);
+    balance_.rescale(quantaBefore, quanta);
   }
-  sums_.setRounds(kept, cancelPoint);
+  history_.replan(plan(), powerPerWalk());
+  while (areStored && history_.size() < blocks_.before(round.endBlock))
+  {
+    history_.append();
+  }
+  stale_.reset(); // nothing is stale
+}
+
+void WalkSet::shootMissing(bool areStored, const Frame& frame, Execution& execution)
+{
+  const double start = steadySeconds();
+  shootBlocks(missing_, areStored, frame, execution);
+  statistics_.shootSeconds += steadySeconds() - start;
 }
 
 void WalkSet::follow(const Frame& frame, PhotonChanges* changes, Execution& execution)
 {
-  const bool hasMoved = hasMotion(frame.moved);
   const double start = steadySeconds();
-  bool startsAgain = false;
-  if (gathered_ && hasMoved)
+  const bool startsAgain =
+    gathered_ && frame.hasChanged() && (hasOtherCells(frame) || areCellsRenumbered_);
+  if (startsAgain)
   {
-    startsAgain = hasMovedCells(frame.moved) || areCellsRenumbered_;
-    startsAgain ? startAgain(frame, execution) : followGathered(frame, execution);
+    startAgain(frame, execution);
+  }
+  else if (gathered_ && hasMotion(frame.moved))
+  {
+    followGathered(frame, execution);
   }
   const double gatherSeconds = steadySeconds() - start;
-  // Walks that start again were shot where all things are now, so nothing has moved for them.
-  followWalks(startsAgain ? std::vector<bool>(frame.moved.size(), false) : frame.moved, frame,
-    changes, execution);
-  statistics_.verifySeconds += gathered_ && hasMoved ? gatherSeconds : 0;
+  // Walks that start again are shot in this frame, so nothing has changed for them.
+  startsAgain
+    ? followWalks(std::vector<bool>(frame.moved.size(), false), {}, frame, changes, execution)
+    : followWalks(frame.moved, frame.repainted, frame, changes, execution);
+  statistics_.verifySeconds += gathered_ && frame.hasChanged() ? gatherSeconds : 0;
 }
 
-void WalkSet::followWalks(
-  const std::vector<bool>& moved, const Frame& frame, PhotonChanges* changes, Execution& execution)
+void WalkSet::followWalks(const std::vector<bool>& moved, const Repainted& repainted,
+  const Frame& frame, PhotonChanges* changes, Execution& execution)
 {
-  const bool hasMoved = hasMotion(moved);
+  const bool hasChanged = hasMotion(moved) || !repainted.empty();
   const SobolSequence samples = this->samples();
   const WalkTracer tracer = this->tracer(frame, samples);
   const BounceScan scan = scanOf(moved, frame);
-  const WalkVerifier verifier(tracer, history_, moved, scan, settings_.cacheStaticHits);
+  const ChangedReflections reflections(frame.objects, history_.numbers(), samples, repainted);
+  const WalkVerifier verifier(
+    tracer, history_, moved, scan, reflections, settings_.cacheStaticHits);
   repaired_ = {};
   WalkRepair repair({ tracer, verifier, history_, sums_, balance_, *repairs_, changes,
     settings_.listRepaired ? &repaired_ : nullptr });
@@ -216,18 +274,22 @@ void WalkSet::followWalks(
     stale_ = std::make_unique<StaleWalks>(frame.objects, history_.size(), samples);
     staleRounds_ = sums_.rounds();
   }
+  else if (stale_ && !frame.repainted.empty())
+  {
+    stale_->repaint(frame.objects, history_);
+  }
   // Progress between verification, births and repair.
-  const double verified = !hasMoved ? 0 : stale_ ? 0.5 : 1;
+  const double verified = !hasChanged ? 0 : stale_ ? 0.5 : 1;
   const double born = !stale_ ? 1 : unborn_.empty() ? verified : 0.75;
   ProgressSpan verification(execution, 0, verified), bearing(execution, verified, born),
     rest(execution, born, 1);
   const double start = steadySeconds();
-  if (hasMoved && stale_)
+  if (hasChanged && stale_)
   {
     repair.verifyAndMark(*stale_, verification);
     statistics_.verifySeconds = steadySeconds() - start;
   }
-  else if (hasMoved)
+  else if (hasChanged)
   {
     repair.verifyAndRepair(verification);
     // Both take turns on each thread.
@@ -295,12 +357,15 @@ void WalkSet::startAgain(const Frame& frame, Execution& execution)
     cancelPointOf(execution, 0));
 }
 
-bool WalkSet::hasMovedCells(const std::vector<bool>& moved) const
+bool WalkSet::hasOtherCells(const Frame& frame) const
 {
-  const auto at = [&](std::uint32_t object) { return moved.begin() + (object - 1); };
-  return source_.isDynamic() &&
-    std::find(at(source_.cells->first), at(source_.cells->second), true) !=
-    at(source_.cells->second);
+  bool hasOthers = false;
+  for (std::uint32_t i = source_.cells->first; i < source_.cells->second; ++i)
+  {
+    hasOthers = hasOthers || (i > 0 && frame.moved[i - 1]) ||
+      (!frame.repainted.empty() && frame.repainted[i]);
+  }
+  return hasOthers;
 }
 
 void WalkSet::followGathered(const Frame& frame, Execution& execution)

@@ -52,6 +52,7 @@ struct WalkStatistics
   std::int64_t suspectSegments = 0; ///< for which the verification cast a ray
   std::int64_t invalidWalks = 0;    ///< found by the verification, or started where no light is now
   std::int64_t repairedSegments = 0;
+  std::int64_t shotWalks = 0; ///< with all their segments, other than in a repair
   double shootSeconds = 0;
   double verifySeconds = 0;
   double repairSeconds = 0;
@@ -61,6 +62,7 @@ struct WalkStatistics
     suspectSegments += other.suspectSegments;
     invalidWalks += other.invalidWalks;
     repairedSegments += other.repairedSegments;
+    shotWalks += other.shotWalks;
     shootSeconds += other.shootSeconds;
     verifySeconds += other.verifySeconds;
     repairSeconds += other.repairSeconds;
@@ -98,8 +100,15 @@ public:
   /// Drops all but the first `kept` rounds.
   void dropRounds(
     std::size_t kept, const SceneTriangles& triangles, const CancelPoint& cancelPoint);
-  /// Follows a motion: verifies what is stored, if any object moved, and repairs what is stale, as
-  /// far as the budget of time goes. `changes`: receives the photons that go and come; null: not
+  /// Whether another source has only another number of walks, and those that both have may stay: all
+  /// are stored, or there are more, and none is stale.
+  bool isResizedBy(const WalkSource& source, bool areStored) const;
+  /// After setSource() of such a source: drops the walks that it has not, and takes what is left for
+  /// a part of it. What is missing then is for shootMissing().
+  void resize(bool areStored, const SceneTriangles& triangles, const CancelPoint& cancelPoint);
+  void shootMissing(bool areStored, const Frame& frame, Execution& execution);
+  /// Follows a change: verifies what is stored, if the frame has changed, and repairs what is stale,
+  /// as far as the budget of time goes. `changes`: receives the photons that go and come; null: not
   /// asked for.
   void follow(const Frame& frame, PhotonChanges* changes, Execution& execution);
   /// Changes to objects of which some have other cells or triangles. No walk may touch these, or be
@@ -172,11 +181,15 @@ private:
   /// What it takes before the walks of the next round are shot: gathered light, and room.
   void beginRound(bool isStored, const Frame& frame, Execution& execution);
   void shootBlocks(const WalkRound& walks, bool isStored, const Frame& frame, Execution& execution);
-  /// Fills a batch with the walks of blocks [first, end) of this rank.
-  void fill(WalkBatch& batch, std::size_t first, std::size_t end, int bands) const;
-  /// Whether walks start at cells of which some moved.
-  bool hasMovedCells(const std::vector<bool>& moved) const;
-  /// Gathers anew; for cells of which some moved. All walks are still to be born.
+  /// Drops all but the first `kept` blocks of this rank, and what they brought.
+  void dropBlocks(
+    std::size_t kept, const SceneTriangles& triangles, const CancelPoint& cancelPoint);
+  /// Fills a batch with the walks of blocks [first, end) of this rank from `firstWalk` on.
+  void fill(
+    WalkBatch& batch, std::size_t first, std::size_t end, std::uint32_t firstWalk, int bands) const;
+  /// Whether walks start at cells of which some moved or reflect otherwise.
+  bool hasOtherCells(const Frame& frame) const;
+  /// Gathers anew; for such cells. All walks are still to be born.
   void startAgain(const Frame& frame, Execution& execution);
   /// Follows what a motion changes of the direct light: takes back the walks that no longer start,
   /// and notes which are to be born.
@@ -187,9 +200,10 @@ private:
   template <class Chosen>
   std::vector<std::uint32_t> walksOfBlocks(
     const Chosen& isChosen, const CancelPoint& cancelPoint) const;
-  /// The rest of follow(): what was gathered is up to date.
-  void followWalks(const std::vector<bool>& moved, const Frame& frame, PhotonChanges* changes,
-    Execution& execution);
+  /// The rest of follow(): what was gathered is up to date. `moved`, `repainted`: since the walks
+  /// were shot.
+  void followWalks(const std::vector<bool>& moved, const Repainted& repainted, const Frame& frame,
+    PhotonChanges* changes, Execution& execution);
   DirectGather::Totals totals() { return { sums_, balance_, blocks_ }; }
   /// What a motion may change, to be looked for among stored segments.
   BounceScan scanOf(const std::vector<bool>& moved, const Frame& frame) const;
@@ -208,6 +222,7 @@ private:
   std::size_t staleRounds_ = 0;       ///< for which that is
   std::vector<std::uint32_t> unborn_; ///< walks that are to be born, in order
   bool areCellsRenumbered_ = false;   ///< since direct light was gathered for them
+  WalkRound missing_{};               ///< walks that resize() left to be shot
   std::vector<SegmentRef> repaired_;
   WalkStatistics statistics_;
   // What threads work with, kept for the next frames.

@@ -91,6 +91,12 @@ void WalkSets::dropRounds(std::size_t kept, const Frame& frame, Execution& execu
   sumUp(frame.objects, execution);
 }
 
+void WalkSets::shootMissing(bool areStored, const Frame& frame, Execution& execution)
+{
+  sets_.front().shootMissing(areStored, frame, execution);
+  sumUp(frame.objects, execution);
+}
+
 void WalkSets::follow(const Frame& frame, PhotonChanges* changes, Execution& execution)
 {
   double left = budget_;
@@ -166,9 +172,9 @@ void WalkSets::sumOver(Ranks& ranks, Total& total, const CancelPoint& cancelPoin
 {
   total.sums.sumOver(ranks, cancelPoint);
   irradiance::sumOver(ranks, total.balance);
-  std::array<std::int64_t, 6> counts{ total.stale.isKept ? 1 : 0, total.stale.isStale ? 1 : 0,
+  std::array<std::int64_t, 7> counts{ total.stale.isKept ? 1 : 0, total.stale.isStale ? 1 : 0,
     total.stale.isBounded ? 0 : 1, total.statistics.suspectSegments, total.statistics.invalidWalks,
-    total.statistics.repairedSegments };
+    total.statistics.repairedSegments, total.statistics.shotWalks };
   ranks.sum(counts.data(), counts.size());
   total.stale.isKept = counts[0] > 0;
   total.stale.isStale = counts[1] > 0;
@@ -176,6 +182,7 @@ void WalkSets::sumOver(Ranks& ranks, Total& total, const CancelPoint& cancelPoin
   total.statistics.suspectSegments = counts[3];
   total.statistics.invalidWalks = counts[4];
   total.statistics.repairedSegments = counts[5];
+  total.statistics.shotWalks = counts[6];
   if (total.stale.isKept)
   {
     ranks.sum(total.stale.carried.quanta.data(), total.stale.carried.quanta.size());

@@ -34,6 +34,13 @@ public:
   /// Before the start: a set for each.
   void setSources(std::vector<WalkSource> sources);
   bool hasSources(const std::vector<WalkSource>& sources) const;
+  /// Whether these have only another number of walks, and those that both have may stay: all are
+  /// stored, or there are more. Of several sets the numbers of most walks would change.
+  bool areResizedBy(const std::vector<WalkSource>& sources, bool areStored) const
+  {
+    return sets_.size() == 1 && sources.size() == 1 &&
+      sets_.front().isResizedBy(sources.front(), areStored);
+  }
   /// What follows does in each set what WalkSet says. A budget of time is shared evenly, but for
   /// what a set does not need.
   void setSettings(const WalkSettings& settings);
@@ -41,6 +48,11 @@ public:
   void shootRound(std::size_t round, bool isStored, const Frame& frame, Execution& execution);
   void dropRounds(std::size_t kept, const Frame& frame, Execution& execution);
   void follow(const Frame& frame, PhotonChanges* changes, Execution& execution);
+  void resize(bool areStored, const Frame& frame, Execution& execution)
+  {
+    sets_.front().resize(areStored, frame.triangles, cancelPointOf(execution, 0));
+  }
+  void shootMissing(bool areStored, const Frame& frame, Execution& execution);
   void replaceCells(
     const SceneObjects& objects, const TriangleNumbers& numbers, Execution& execution);
   void forgetBudget();

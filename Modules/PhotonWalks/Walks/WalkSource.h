@@ -42,6 +42,19 @@ struct WalkSource
   /// With which a walk starts, in all bands together.
   std::int64_t quantaPerWalk() const { return cells ? quantaPerStart : lights.quantaPerWalk(); }
 
+  /// Whether walks with the same number are the same here and there, but for the power of all; so
+  /// one of them is the other with more walks. Of a single round that starts at lights.
+  bool differsInNumber(const WalkSource& other) const
+  {
+    WalkSource like = *this;
+    like.plan = other.plan;
+    like.lights.setQuantaPerWalk(other.lights.quantaPerWalk());
+    return like == other && !cells && plan.rounds().size() == 1 &&
+      other.plan.rounds().size() == 1 &&
+      plan.replicates().count() == other.plan.replicates().count() &&
+      plan.replicates().firstWalk() == other.plan.replicates().firstWalk();
+  }
+
   friend bool operator==(const WalkSource& a, const WalkSource& b)
   {
     return a.plan == b.plan && a.lights == b.lights && a.cells == b.cells &&

@@ -2,7 +2,7 @@
 /**
  * The main job on the scene of Examples/MovingTeapot: what a frame costs beside the first shooting,
  * which is what every frame would cost without a history, what the cache is good for, and whether
- * a repair keeps to its budget of time. BenchmarkShooting compares with the rival that users would
+ * a repair keeps to its budget of time; and what other changes cost. BenchmarkShooting compares with the rival that users would
  * take. The answers are compared before any time counts. CPU time of the one thread. 59 frames
  * after the first are the teapot's whole way.
  *
@@ -15,6 +15,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <numeric>
+#include <vector>
 
 using namespace irradiance;
 
@@ -72,6 +75,41 @@ void timeRound(const MovingScene& scene, const EngineSettings& settings, int fra
     report(kTable, "walks that change in a frame" + which, "share of all walks",
       static_cast<double>(engine.statistics().invalidWalks) / settings.numberOfWalks);
   }
+}
+
+/// The first cells of the static object, a tenth of its area, reflect otherwise.
+SceneObjects withOtherWall(SceneObjects objects)
+{
+  const std::vector<double> areas = cellAreas(objects.staticObject);
+  const double all = std::accumulate(areas.begin(), areas.end(), 0.0);
+  auto material = std::make_shared<Material>(*objects.staticObject.material);
+  double area = 0;
+  for (std::size_t cell = 0; area < 0.1 * all; area += areas[cell++])
+  {
+    double& reflectance = material->reflectance[cell];
+    reflectance += reflectance > 0.5 ? -0.25 : 0.25;
+  }
+  objects.staticObject.material = material;
+  return objects;
+}
+
+/// Changes beside the first shooting of what they lead to.
+void timeChanges(const MovingScene& scene, const EngineSettings& settings)
+{
+  const SceneObjects painted = withOtherWall(scene.at(0));
+  EngineSettings twice = settings;
+  twice.numberOfWalks *= 2;
+  IrradianceEngine engine;
+  timeUpdate(engine, scene.at(0), settings);
+  const auto timeChange = [&](const std::string& row, const EngineSettings& to, const Goal& goal) {
+    IrradianceEngine anew;
+    const double shooting = timeUpdate(anew, painted, to).whole;
+    const double change = timeUpdate(engine, painted, to).whole;
+    requireEqualAnswers(engine, anew, painted);
+    report(kTable, row, kOverShooting, change / shooting, goal);
+  };
+  timeChange("a tenth of the area reflects otherwise", settings, { 0.3, 0.15 });
+  timeChange("twice as many walks", twice, { 0.6, 0.52 });
 }
 
 /// The teapot swings over the head and back with the same step in every frame, so that what it
@@ -150,6 +188,10 @@ void run(const Arguments& arguments)
     {
       timeRound(isSmall ? small : scene, settings, frames, isSmall);
     }
+  }
+  for (int round = 0; round < rounds; ++round)
+  {
+    timeChanges(scene, settings);
   }
   timeCache(scene, settings, frames);
   for (const int percent : { 10, 50 })

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Repair/ChangedReflections.h"
+
+#include <algorithm>
+
+namespace irradiance
+{
+
+ChangedReflections::ChangedReflections(const SceneObjects& objects, const TriangleNumbers& numbers,
+  const SobolSequence& samples, const Repainted& before)
+  : objects_(objects)
+  , numbers_(numbers)
+  , samples_(samples)
+  , before_(before)
+{
+  for (std::uint32_t object = 0; object < before.size(); ++object)
+  {
+    const Material& now = *objects[object].material;
+    std::vector<std::uint8_t> changes(now.numberOfCells);
+    for (std::size_t cell = 0; before[object] && cell < changes.size(); ++cell)
+    {
+      changes[cell] = now.reflectsAs(*before[object], cell) ? 0 : 1;
+    }
+    isRepainted_.resize(numbers.first(object));
+    std::transform(now.cellOfTriangle.begin(), now.cellOfTriangle.end(),
+      std::back_inserter(isRepainted_), [&](std::uint32_t cell) { return changes[cell]; });
+  }
+}
+
+bool ChangedReflections::changeAt(
+  std::uint32_t hit, const BounceBlock& block, std::uint32_t slot) const
+{
+  const TriangleId id = numbers_.idOf(hit);
+  const Material &now = *objects_[id.object].material, &before = *before_[id.object];
+  const std::uint32_t cell = now.cellOfTriangle[id.triangle];
+  const Power incoming = block.power(slot);
+  const double sample =
+    samples_.sample(block.walkOf(slot), block.bounceOf(slot) + 1, SampleUse::Survival)[0];
+  const Reflection is = reflectionOf(incoming, now, cell, sample),
+                   was = reflectionOf(incoming, before, cell, sample);
+  return is.survives != was.survives || is.isSpecular != was.isSpecular ||
+    !(is.outgoing == was.outgoing) ||
+    (is.isSpecular && now.phongExponent[cell] != before.phongExponent[cell]);
+}
+
+}
