@@ -134,7 +134,7 @@ private:
   std::size_t numberOfUnborn_ = 0;
   StalePower unborn_;
   SobolSequence samples_;
-  double reflectance_ = 0; ///< the largest of any triangle
+  double reflectance_ = 0; ///< in all, also let through: the largest of any triangle
 };
 
 }
