@@ -22,7 +22,7 @@
  *
  * @section Inputs
  * Port 0 takes what stays, port 1 what moves, each any number of vtkPolyData, or composite data of
- * them. Polygons and triangle strips are surfaces, opaque, whose front is the side from which
+ * them. Polygons and triangle strips are surfaces, thin or of bodies, whose front is the side from which
  * points run counter-clockwise; vertex cells with a flux are point lights. Where a pose mirrors
  * (its determinant is negative), the front is the mirror image of the front, as in glTF; the cells
  * of the output keep their own order of points. All lengths are metres. Cell arrays have one
@@ -34,6 +34,12 @@
  * | 2     | SpecularReflectance  | 0..1, both sides; absent: 0                    |
  * | 3     | PhongExponent        | >= 0, one component; infinite or absent: mirror |
  * | 4     | RadiantFlux          | W of a vertex cell; >= 0                       |
+ * | 5     | DiffuseTransmittance | 0..1, diffusely to the other side; absent: 0    |
+ * | 6     | SpecularTransmittance | 0..1, straight through; absent: 0             |
+ * | 7     | RefractiveIndex      | >= 1, one component; above 1: a clear pane      |
+ * | 8     | InternalTransmittance | of panes, in (0, 1], one passage straight through; absent: 1 |
+ * 1, 2, 5 and 6 add up to at most 1. A pane needs none of these: what it reflects and lets through
+ * follows by angle (Fresnel). Light goes on as it came: no body refracts.
  *
  * @section Output
  * Port 0: vtkMultiBlockDataSet with the blocks `Static` and `Dynamic`, each with one vtkPolyData

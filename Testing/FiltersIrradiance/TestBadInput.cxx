@@ -174,6 +174,18 @@ Spoil SetGloss(const char* name, vtkIdType cell, double value)
   };
 }
 
+/// All of the room's cells let light through.
+Spoil SetSheet(const char* name, vtkIdType cell, double value)
+{
+  return [=](vtkIrradianceFilter*, Scene& scene) {
+    SetCellValues(scene.Fixed[0], "DiffuseTransmittance", { 0.125 });
+    SetCellValues(scene.Fixed[0], "SpecularTransmittance", { 0.25 });
+    SetCellValues(scene.Fixed[0], "RefractiveIndex", { 1 });
+    SetCellValues(scene.Fixed[0], "InternalTransmittance", { 0.9 });
+    scene.Fixed[0]->GetCellData()->GetArray(name)->SetComponent(cell, 0, value);
+  };
+}
+
 const std::string Room = "input port 0, connection 0";
 const std::string Lamp = "input port 0, connection 1";
 const std::string Bulb = "input port 0, connection 2";
@@ -217,6 +229,17 @@ const std::vector<BadInput> BadInputs{
     { Room, "cell 7", "0.5", "0.51", "more than 1" } },
   { "ExponentBelow0", SetGloss("PhongExponent", 7, -1), { Room, "cell 7", "exponent -1" } },
   { "ExponentIsNaN", SetGloss("PhongExponent", 7, NaN), { Room, "cell 7", "exponent nan" } },
+  { "TransmittanceAbove1", SetSheet("SpecularTransmittance", 7, 1.5),
+    { Room, "cell 7", "specular transmittance 1.5" } },
+  { "TransmittanceIsNaN", SetSheet("DiffuseTransmittance", 7, NaN),
+    { Room, "cell 7", "diffuse transmittance nan" } },
+  { "AllPartsAbove1", SetSheet("SpecularTransmittance", 7, 0.51),
+    { Room, "cell 7", "diffuse reflectance 0.5", "diffuse transmittance 0.125", "0.51",
+      "more than 1" } },
+  { "IndexBelow1", SetSheet("RefractiveIndex", 7, 0.9), { Room, "cell 7", "index 0.9" } },
+  { "IndexIsNaN", SetSheet("RefractiveIndex", 7, NaN), { Room, "cell 7", "index nan" } },
+  { "InternalTransmittanceIs0", SetSheet("InternalTransmittance", 7, 0),
+    { Room, "cell 7", "internal transmittance 0" } },
   { "ExponentHasThreeBands", ReplaceArray<vtkDoubleArray>("PhongExponent", 3, 1),
     { Lamp, "PhongExponent", "3 components; 1 is" } },
   { "ExitanceIsNegative", SetValue(1, "RadiantExitance", 0, -3e-9),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Features.h"
+#include "Sheets.h"
 #include "Skies.h"
 
 #include "Views/StoredSensors.h"
@@ -303,6 +304,48 @@ std::function<Film()> underLuminaires(const EngineSettings& settings, double spe
   };
 }
 
+/// A pane, a sleeve and a ball move in a room with sheets.
+std::function<Film()> amongSheets(const EngineSettings& settings, int bands)
+{
+  return [=] {
+    SceneObjects objects = glazedRoom(bands);
+    AffineMap &pane = objects.dynamicObjects[0].worldFromObject,
+              &sleeve = objects.dynamicObjects[1].worldFromObject,
+              &body = objects.dynamicObjects[2].worldFromObject;
+    Film film;
+    for (int frame = 0; frame < kFrames; ++frame)
+    {
+      film.push_back({ objects, settings });
+      pane.translation += Vector3(frame % 2 == 0 ? 0.3 : 0, 0.1, 0);
+      pane.linear = Eigen::AngleAxisd(0.4 * frame, Vector3::UnitX()).matrix();
+      sleeve.translation[1] += frame % 3 == 1 ? 0.5 : 0;
+      body.translation = frame % 2 == 1 ? sleeve.translation : body.translation;
+    }
+    return film;
+  };
+}
+
+/// A sheet and a ball move below a roof that lets light of the sky and of the sun through.
+std::function<Film()> belowASheet(const EngineSettings& settings)
+{
+  return [=] {
+    ObjectBuilder yard;
+    yard.addQuad({ -2, -2, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, 5, 5, grey(0.4));
+    const std::size_t roof = yard.numberOfCells();
+    yard.addQuad({ -1, -1, 1.5 }, { 2, 0, 0 }, { 0, 2, 0 }, 2, 2, grey(0.1));
+    SceneObject fixed = yard.build();
+    makeSheets(fixed, roof, { 0.2, { 0.6, 0.6, 0.6 } });
+    Sky sky = skyOf(box({ -2.5, -2.5, -0.25 }, { 2.5, 2.5, 2 }), cieSky(12, 120), 0.3);
+    sky.towardsSun = skyDirection(30, 120);
+    sky.sunIrradiance = { 5 };
+    sky.sunRadius = 0.005;
+    return going(
+      { fixed, { sheet(0.8, 2, grey(0.1), straight(0.5)), ball({ 0.3, 0, 0.5 }, 0.3, 4) },
+        std::make_shared<const Sky>(sky) },
+      settings, { { 0, 0, 1 }, { 0.2, 0, 1 }, { 0.5, 0, 1.7 }, { 0.5, 0.1, 0.4 } });
+  };
+}
+
 /// So many that casts search them by lists, by balls or by a tree.
 std::function<Film()> amongMany(int movers, double radius, const EngineSettings& settings)
 {
@@ -541,6 +584,17 @@ std::vector<Feature> features()
     { "ManyMovers", amongMany(24, 0.2, Shoot(walks)) },
     { "ManySmallMovers", amongMany(40, 0.05, Shoot(4 * walks)) },
     { "VeryManyMovers", amongMany(520, 0.04, Shoot(walks)) },
+    { "Sheets", amongSheets(Shoot(walks).cached().keptByAll(), 1), byPaths },
+    { "SheetsInColour", amongSheets(Shoot(walks).bySide().errors(4), 3) },
+    { "SheetsInGatheredLight", amongSheets(Shoot(walks).gathered().errors(3), 3) },
+    { "SheetsInSpreadLight", amongSheets(Shoot(walks).gathered().spread(400), 1) },
+    { "SheetsOfFinalGather", amongSheets(Shoot(5000).finalGather(8).everywhere().errors(4), 3) },
+    { "SheetsUnderTheSky", belowASheet(Shoot(walks).gathered().errors(3).keptByAll()), bySensors },
+    { "SheetsUnderTheSkyOfFinalGather",
+      belowASheet(Shoot(5000).finalGather(8).everywhere().errors(4)) },
+    { "SensorsAmongSheets", amongSheets(Shoot(few).gathered().keptByAll().errors(3), 1),
+      byStoredSensors },
+    { "EyesAmongSheets", amongSheets(Shoot(few).bySide().keptByAll(), 1), byAll },
     { "Sensors", moving(Shoot(few).errors(3).keptByAll(), 1, false, 92), bySensors },
     { "SensorsInColour", moving(Shoot(few).gathered().bySide().errors(3), 3, false, 93),
       bySensors },

@@ -229,7 +229,7 @@ TEST(Absorption, SeveralBandsKeepTheMeanAndTheStrongestPower)
     {
       const double probability = survivalProbabilities(power, material, 0).total();
       ASSERT_LE(probability, *std::max_element(reflectance.begin(), reflectance.end()));
-      const Power after = survivingPower(power, material, 0, false, probability);
+      const Power after = survivingPower(power, material, 0, Leaving::Diffuse, probability);
       ASSERT_EQ(after.largest(), power.largest());
       expectReflected(after, probability, power, reflectance);
     }
@@ -261,17 +261,18 @@ TEST(Absorption, SpecularAndDiffuseReflectionKeepTheMeanOfEachBand)
     const Power power{ { kQuanta, kQuanta, kQuanta } };
     const SurvivalProbabilities survival = survivalProbabilities(power, material, 0);
     ASSERT_LE(survival.total(), 1 + 1e-15);
-    EXPECT_FALSE(survival.isSpecularAt(0.99 * survival.diffuse));
-    EXPECT_EQ(survival.isSpecularAt(survival.diffuse), survival.specular > 0);
-    for (const bool isSpecular : { false, true })
+    const double diffuse = survival.of(Leaving::Diffuse);
+    EXPECT_EQ(survival.at(0.99 * diffuse), Leaving::Diffuse);
+    EXPECT_EQ(survival.at(diffuse) == Leaving::Specular, survival.of(Leaving::Specular) > 0);
+    for (const Leaving way : { Leaving::Diffuse, Leaving::Specular })
     {
-      const auto& reflectance = isSpecular ? one.specular : one.diffuse;
-      const double probability = survival.of(isSpecular);
+      const auto& reflectance = way == Leaving::Specular ? one.specular : one.diffuse;
+      const double probability = survival.of(way);
       if (probability == 0)
       {
         continue;
       }
-      const Power after = survivingPower(power, material, 0, isSpecular, probability);
+      const Power after = survivingPower(power, material, 0, way, probability);
       EXPECT_EQ(after.largest() > kQuanta, one.isScaled);
       expectReflected(after, probability, power, reflectance);
     }
@@ -285,14 +286,14 @@ TEST(Absorption, OneBandSurvivesWithTheSumOfItsReflectancesAndKeepsItsPower)
   {
     const Material diffuse = oneTriangle({ reflectance, 0, 0 }, 1);
     EXPECT_EQ(survivalProbabilities(photon, diffuse, 0).total(), reflectance);
-    EXPECT_EQ(survivingPower(photon, diffuse, 0, false, reflectance), photon);
+    EXPECT_EQ(survivingPower(photon, diffuse, 0, Leaving::Diffuse, reflectance), photon);
   }
   Material material = oneTriangle({ 0.3, 0, 0 }, 1);
   material.setSpecular({ 0.6 }, { kInfinity });
   const SurvivalProbabilities survival = survivalProbabilities(photon, material, 0);
-  EXPECT_EQ(survival.diffuse, 0.3);
+  EXPECT_EQ(survival.of(Leaving::Diffuse), 0.3);
   EXPECT_NEAR(survival.total(), 0.9, 1e-15);
-  EXPECT_EQ(survivingPower(photon, material, 0, true, 0.6), photon);
+  EXPECT_EQ(survivingPower(photon, material, 0, Leaving::Specular, 0.6), photon);
 }
 
 }

@@ -86,7 +86,7 @@ void fill(WalkFront& front, const FrontWorld& world, Bounces bounces, std::uint3
     front.weightC[i] = i % 50 <= 2 ? 0.0F : static_cast<float>(root * (1 - part));
     front.side[i] = front.hitSide[i] = static_cast<std::uint8_t>(random.engine() % 2);
     front.slot[i] = 0x10000 + 3 * i;
-    front.isSpecular[i] = 0;
+    front.leaving[i] = Leaving::Diffuse;
     front.originX[i] = i;
     front.originY[i] = 2.0 * i;
     front.originZ[i] = 3.0 * i;
@@ -180,7 +180,7 @@ TEST(WalkStages, WalksSurviveAsTheirSamplesSay)
       const double sample =
         world.samples().sample(first + i, front.bounce[i] + 1, SampleUse::Survival)[0];
       if (front.hit[i] != WalkFront::kNone &&
-        sample < world.stages().materialOf(id.object).totalReflectance()[world.stages().cellOf(id)])
+        sample < world.stages().materialOf(id.object).surviving()[world.stages().cellOf(id)])
       {
         ASSERT_LT(kept, next.size);
         ASSERT_TRUE(onwards(next, kept) == fromHit(front, i)) << "walk " << first + i;
@@ -219,7 +219,7 @@ TEST(WalkStages, PackingKeepsOrderAndLosesNothing)
           continue;
         }
         ASSERT_TRUE(onwards(next, kept) == fromHit(front, i)) << "row " << i;
-        ASSERT_EQ(next.isSpecular[kept], front.isSpecular[i]);
+        ASSERT_EQ(next.leaving[kept], front.leaving[i]);
         ASSERT_EQ(world.rayOf(next, kept).origin, world.rayOf(front, i).origin);
         ASSERT_EQ(directionOf(next, kept), directionOf(front, i));
         ASSERT_EQ(next.powerAt(kept, 3), front.powerAt(i, 3));
@@ -340,7 +340,7 @@ auto columnsOf(WalkFront& front, std::size_t i)
     front.directionY[i], front.directionZ[i], front.start[i], front.side[i], front.distance[i],
     front.hit[i], front.weightB[i], front.weightC[i], front.hitSide[i], front.candidate[i],
     front.walk[i], front.bounce[i], front.block[i], front.slot[i], front.parent[i],
-    front.isSpecular[i]);
+    front.leaving[i]);
 }
 
 int bandsOfPower(const WalkFront& front)

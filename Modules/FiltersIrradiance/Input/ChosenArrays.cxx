@@ -130,6 +130,10 @@ const std::vector<std::string>& synonyms(std::size_t quantity)
     { "specularreflectance", "specularreflectivity" },
     { "phongexponent", "specularexponent" },
     { "radiantflux", "radiantpower" },
+    { "diffusetransmittance" },
+    { "speculartransmittance", "transmittance", "directtransmittance" },
+    { "refractiveindex", "indexofrefraction", "ior" },
+    { "internaltransmittance" },
   } };
   return names[quantity];
 }

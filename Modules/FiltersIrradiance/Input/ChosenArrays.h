@@ -22,14 +22,20 @@ enum MaterialArray : std::size_t
   Specular,
   Exponent,
   Flux,
+  DiffuseThrough,
+  Straight,
+  Index,
+  Internal,
   kMaterialArrays
 };
 
 /// Their names where none is chosen, and what they mean.
 constexpr std::array<const char*, kMaterialArrays> kArrayNames{ "RadiantExitance",
-  "DiffuseReflectance", "SpecularReflectance", "PhongExponent", "RadiantFlux" };
+  "DiffuseReflectance", "SpecularReflectance", "PhongExponent", "RadiantFlux",
+  "DiffuseTransmittance", "SpecularTransmittance", "RefractiveIndex", "InternalTransmittance" };
 constexpr std::array<const char*, kMaterialArrays> kArrayMeanings{ "radiant exitance",
-  "diffuse reflectance", "specular reflectance", "Phong exponent", "radiant flux" };
+  "diffuse reflectance", "specular reflectance", "Phong exponent", "radiant flux",
+  "diffuse transmittance", "specular transmittance", "refractive index", "internal transmittance" };
 
 /// The arrays of one input, by MaterialArray; null where it has none.
 template <class Array>

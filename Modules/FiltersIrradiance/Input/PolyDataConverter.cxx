@@ -12,6 +12,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <sstream>
 
@@ -103,7 +104,7 @@ struct PolyDataConverter
     {
       return;
     }
-    const bool mayHaveThree = number != Exponent;
+    const bool mayHaveThree = number != Exponent && number != Index;
     const vtkIdType tuples = array->GetNumberOfTuples();
     const int components = array->GetNumberOfComponents();
     const vtkIdType cells = input->GetNumberOfCells();
@@ -136,6 +137,16 @@ struct PolyDataConverter
       target.specular.resize(slots, 0.0);
       target.exponents.resize(material.numberOfCells, kInfinity);
     }
+    const auto resizeIf = [&](MaterialArray array, std::vector<double>& values, double absent) {
+      if (arrays[array] || !values.empty())
+      {
+        values.resize(array == Index ? material.numberOfCells : slots, absent);
+      }
+    };
+    resizeIf(DiffuseThrough, target.diffuseThrough, 0);
+    resizeIf(Straight, target.straight, 0);
+    resizeIf(Index, target.index, 1);
+    resizeIf(Internal, target.internal, 1);
   }
 
   /// Calls visit(count, ids) for cells that are no ghosts.
@@ -228,20 +239,55 @@ struct PolyDataConverter
     }
   }
 
+  /// For the user.
+  std::string partsOf(int band) const
+  {
+    std::string parts = joined("diffuse reflectance ", target.material.reflectance[slotOf(band)]);
+    for (const MaterialArray array : { Specular, DiffuseThrough, Straight })
+    {
+      parts += arrays[array]
+        ? joined(" and ", kArrayMeanings[array], " ", value(arrays[array], band))
+        : std::string();
+    }
+    return parts;
+  }
+
   void readReflectance()
   {
+    const double index = arrays[Index] ? value(arrays[Index], 0) : 1;
+    failIf(!(index >= 1 && std::isfinite(index)), "refractive index ", index, " is not 1 or more");
     for (int band = 0; band < bands; ++band)
     {
       const double diffuse = checked("diffuse reflectance",
         arrays[Reflectance] ? value(arrays[Reflectance], band) : defaultReflectance, 1);
       target.material.reflectance[slotOf(band)] = diffuse;
-      if (arrays[Specular])
+      double sum = diffuse;
+      for (const auto& [array, values] :
+        { std::pair(Specular, &target.specular), std::pair(DiffuseThrough, &target.diffuseThrough),
+          std::pair(Straight, &target.straight) })
       {
-        const double specular = checked("specular reflectance", value(arrays[Specular], band), 1);
-        failIf(!(diffuse + specular <= 1 + kRounding), "diffuse reflectance ", diffuse,
-          " and specular reflectance ", specular, " add up to more than 1");
-        target.specular[slotOf(band)] = std::min(specular, 1 - diffuse);
+        if (arrays[array])
+        {
+          const double part = checked(kArrayMeanings[array], value(arrays[array], band), 1);
+          (*values)[slotOf(band)] = std::min(part, std::max(0.0, 1 - sum));
+          sum += part;
+        }
       }
+      if (!(sum <= 1 + kRounding) && index == 1) // a pane has none of these
+      {
+        failIf(true, partsOf(band), " add up to more than 1");
+      }
+    }
+    if (arrays[Index])
+    {
+      target.index[cellOfTarget()] = index;
+    }
+    for (int band = 0; arrays[Internal] && band < bands; ++band)
+    {
+      const double internal = value(arrays[Internal], band);
+      failIf(!(internal > 0 && internal <= 1), "internal transmittance ", internal,
+        " is not above 0 and at most 1");
+      target.internal[slotOf(band)] = internal;
     }
     if (arrays[Exponent])
     {
@@ -295,6 +341,11 @@ struct PolyDataConverter
     {
       warnings.push_back(
         { where, ": has Phong exponents but no specular reflectance; they are not read" });
+    }
+    if (arrays[Internal] && !arrays[Index])
+    {
+      warnings.push_back(
+        { where, ": has internal transmittances but no refractive index; they are not read" });
     }
     return warnings;
   }

@@ -17,7 +17,7 @@ class vtkPolyData;
 namespace irradiance
 {
 
-/// The triangles of some polydata, and how its cells reflect and emit. These keep their order.
+/// The triangles of some polydata, how its cells reflect, what goes through, and what they emit. These keep their order.
 struct ConvertedPolyData
 {
   explicit ConvertedPolyData(int bands)
@@ -34,6 +34,8 @@ struct ConvertedPolyData
   Emission emission;
   std::vector<double> specular; ///< of material.setSpecular(), once all is converted; empty: none
   std::vector<double> exponents;
+  /// Likewise of material.setSheets().
+  std::vector<double> diffuseThrough, straight, index, internal;
 };
 
 /// Coordinates may not be larger, m: products of lengths, areas and powers have to stay finite.

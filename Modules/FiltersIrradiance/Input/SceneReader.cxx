@@ -246,6 +246,8 @@ void SceneReader::adopt(
   {
     data.material.setSpecular(std::move(data.specular), std::move(data.exponents));
   }
+  data.material.setSheets(std::move(data.diffuseThrough), std::move(data.straight),
+    std::move(data.index), std::move(data.internal));
   if (!object.material || !(*object.material == data.material))
   {
     object.material = std::make_shared<Material>(std::move(data.material));

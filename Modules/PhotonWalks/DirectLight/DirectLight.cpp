@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectLight/DirectLight.h"
 
+#include "Surfaces/ClearSheets.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -176,26 +178,29 @@ std::vector<DirectLight::View> DirectLight::viewsOf(
   frame.scene.cast(rays.data(), rays.size(), hits.data());
   for (std::size_t ray = 0; ray < rays.size(); ++ray)
   {
-    views[places[ray]] = viewOf(frame, samples_[samples[places[ray]]], rays[ray], hits[ray]);
+    views[places[ray]] = viewOf(frame, samples[places[ray]], rays[ray], hits[ray]);
   }
   return views;
 }
 
 DirectLight::View DirectLight::viewOf(
-  const Frame& frame, const DirectSample& sample, const Ray& ray, const Hit& closest) const
+  const Frame& frame, std::uint32_t number, const Ray& ray, const Hit& closest) const
 {
-  const TriangleId cell = frame.triangles.idOf(sample.triangle);
+  const TriangleId cell = frame.triangles.idOf(samples_[number].triangle);
   const Contacts& contacts = frame.contacts;
-  if (contacts.has(ray.start) || contacts.has(cell))
+  const bool isResolved = contacts.has(ray.start) || contacts.has(cell);
+  const Hit first = isResolved ? contacts.resolveContact(frame.scene, ray, closest) : closest;
+  const Hit hit = ClearSheets{ frame.objects, frame.scene, &contacts }.stop(
+    ray, first, cell, splitMix(seed_) + number);
+  if (isResolved)
   {
-    const Hit hit = contacts.resolveContact(frame.scene, ray, closest);
     const bool mayChange =
       hit.id.isDynamic() || contacts.hasDynamic(ray.start) || contacts.hasDynamic(cell);
     return hit.id == cell ? kFree : mayChange ? kTouch : kNever;
   }
   // What is hit beyond the end hides nothing.
-  const bool isFree = closest.distance >= 1 || closest.id == cell;
-  return isFree ? kFree : closest.id.object; // of the static one: never
+  const bool isFree = hit.distance >= 1 || hit.id == cell;
+  return isFree ? kFree : hit.id.object; // of the static one: never
 }
 
 bool DirectLight::mayChange(

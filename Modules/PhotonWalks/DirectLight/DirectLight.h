@@ -73,8 +73,7 @@ private:
   bool mayChange(const Frame& frame, const std::vector<Box>& boxes, std::uint32_t sample) const;
   /// Those of samples, in order.
   std::vector<View> viewsOf(const Frame& frame, const std::vector<std::uint32_t>& samples) const;
-  View viewOf(
-    const Frame& frame, const DirectSample& sample, const Ray& ray, const Hit& closest) const;
+  View viewOf(const Frame& frame, std::uint32_t sample, const Ray& ray, const Hit& closest) const;
 
   const CellShapes& cells_;
   const LampPieces& lamps_;

@@ -2,6 +2,7 @@
 #include "DirectLight/DirectPilot.h"
 
 #include "DirectLight/CellSampler.h"
+#include "Surfaces/ClearSheets.h"
 
 #include <algorithm>
 #include <array>
@@ -53,6 +54,7 @@ DirectPilot::DirectPilot(const SceneObjects& objects, const LampPieces& lamps)
   frame.scene.commit({});
   frame.objects = { someCellsOf(objects.staticObject), {} };
   frame.triangles = SceneTriangles(frame.objects);
+  const ClearSheets sheets{ objects, frame.scene };
   const CellShapes cells(frame, 0, 1);
   const DirectPlan plan(cells, lamps, { 1, kMostWalks, { kSamples, kSamples }, 1 });
   std::array<CellSampler, 2> samplers{ CellSampler(cells, frame, lamps, plan, 1),
@@ -87,7 +89,8 @@ DirectPilot::DirectPilot(const SceneObjects& objects, const LampPieces& lamps)
       for (std::size_t ray = 0; ray < rays.size(); ++ray)
       {
         constexpr double kNear = 1 - 0x1p-20; // the cell's own triangle hides nothing
-        brought[i] += hits[ray].distance >= kNear
+        const Hit hit = sheets.stop(rays[ray], hits[ray], {}, splitMix(ray) + cell, kNear);
+        brought[i] += hit.distance >= kNear
           ? samples[ray].part * lamps.lights()[samples[ray].light].totalFlux()
           : 0;
       }

@@ -4,6 +4,7 @@
 #include "Sampling/DirectionSampling.h"
 #include "Sampling/SobolPoint.h"
 #include "Scene/Scene.h"
+#include "Surfaces/ClearSheets.h"
 #include "Surfaces/CoincidentTriangles.h"
 
 #include <algorithm>
@@ -80,7 +81,7 @@ double returnedOf(const Scene& scene, const Material& material, const Rays& rays
       point.turn(point.normal.dot(rays[i].direction) < 0);
       onwards[count] = { point.clearPosition(),
         sampleHemisphere(point.normal, pointOf(first + i, 3)), hits[i].id };
-      parts[count++] = material.reflectedOf(hits[i].id.triangle);
+      parts[count++] = material.keptOf(hits[i].id.triangle);
     }
   }
   Hits again;
@@ -101,6 +102,7 @@ FirstHits::FirstHits(const SceneObjects& objects, const LightTable& lights)
   Scene scene;
   scene.setStatic(objects.staticObject.body);
   scene.commit({});
+  const ClearSheets sheets{ objects, scene };
   // From each light as many, so that each is known to be near or not.
   const auto count = static_cast<std::uint32_t>(
     std::max(kFewestRays, kRaysOfAll / std::max<std::size_t>(1, lights.lights().size())));
@@ -120,6 +122,7 @@ FirstHits::FirstHits(const SceneObjects& objects, const LightTable& lights)
       scene.cast(rays.data(), together, hits.data());
       for (std::uint32_t i = 0; i < together; ++i)
       {
+        hits[i] = sheets.stop(rays[i], hits[i], {}, splitMix(first + i), kInfinity);
         if (hits[i])
         {
           near += isNear(scene, hits[i]) ? 1 : 0;
@@ -145,7 +148,7 @@ void FirstHits::sumUp(const SceneObject& object)
   {
     arrived_ += arrival.flux;
     cells[material.cellOfTriangle[arrival.triangle]][arrival.half] +=
-      arrival.flux * material.reflectedOf(arrival.triangle);
+      arrival.flux * material.keptOf(arrival.triangle);
   }
   const std::vector<double> areas = cellAreas(object);
   for (std::size_t cell = 0; cell < cells.size(); ++cell)

@@ -3,6 +3,7 @@
 
 #include "Sampling/SobolPoint.h"
 #include "Sampling/WeightChoice.h"
+#include "Surfaces/ClearSheets.h"
 
 #include <algorithm>
 #include <optional>
@@ -272,6 +273,14 @@ std::vector<Hit> PointDirectLight::cast(
       hits[i] = contacts.resolveContact(frame_.scene, rays[i], hits[i]);
     }
   }
+  const ClearSheets sheets{ frame_.objects, frame_.scene, &contacts };
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    if (arrivals[i].number != 0)
+    {
+      hits[i] = sheets.stop(rays[i], hits[i], point.on, arrivals[i].number);
+    }
+  }
   return hits;
 }
 
@@ -311,7 +320,7 @@ void PointDirectLight::addTouching(const LitPoint& point,
     for (std::size_t replicate = 0; isOn && replicate < replicates; ++replicate)
     {
       arrivals.push_back({ { start.clearPosition(), start.normal, lights()[light].triangle() },
-        light, 1 / (surface.area() * static_cast<double>(replicates)), replicate });
+        light, 1 / (surface.area() * static_cast<double>(replicates)), replicate, 0 });
     }
   }
 }
@@ -336,7 +345,8 @@ void PointDirectLight::addSamples(const LitPoint& point, SeenLight::By by, const
       seen.isLit() ? seen.perWatt(part(seen.along, samples / seen.solidAngle)) / samples : 0;
     if (perWatt > 0)
     {
-      arrivals.push_back({ seen.ray, chosen.light, perWatt, i * replicates / samples_ });
+      arrivals.push_back({ seen.ray, chosen.light, perWatt, i * replicates / samples_,
+        by == SeenLight::By::Cosine ? splitMix(seed_ ^ splitMix(number)) + i + 1 : 0 });
     }
   }
 }

@@ -68,7 +68,7 @@ public:
   /// How much a point takes of a beam along a vector, in place of the cosine. `density`: of the
   /// samples that the point takes from there, 1/sr; infinite for a light in the air.
   using Part = std::function<double(const Vector3& along, double density)>;
-  /// W/m2 that a point takes, without lights in the same place as its face. `number` and `share`
+  /// W/m2 that a point takes, without lights in the same place as its face, or behind sheets. `number` and `share`
   /// choose the samples: those of all shares of a number are spread evenly together.
   Bands taken(
     const LitPoint& point, const Part& part, std::uint64_t number, std::uint32_t share) const;
@@ -86,6 +86,7 @@ private:
     std::uint32_t light;
     double perWatt; ///< W/m2 for each W of the light's flux if nothing stands between
     std::size_t replicate;
+    std::uint64_t number; ///< for ClearSheets; 0: they stop it
   };
 
   /// Those that coincide with the point.

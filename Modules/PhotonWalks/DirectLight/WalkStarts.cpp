@@ -18,6 +18,15 @@ double chance(std::uint64_t seed, std::uint32_t sample, int use)
   return static_cast<double>(hash >> 11) * 0x1p-53;
 }
 
+/// Of incidence, as of walks that leave from there, see WalkStages.
+double cosineOf(const DirectSample& sample, const SceneTriangles& triangles)
+{
+  const double b = sample.weightB, c = sample.weightC;
+  SurfacePoint point = surfacePoint(triangleOf(triangles, sample.triangle), { 1 - b - c, b, c });
+  point.turn(sample.isFront);
+  return -point.normal.dot((point.position - sample.from).normalized());
+}
+
 }
 
 WalkStarts::WalkStarts(const DirectLight& light, const SceneObjects& objects,
@@ -54,18 +63,16 @@ void WalkStarts::add(std::uint32_t number, std::uint32_t replicate, const SceneO
   const TriangleId id = triangles.idOf(sample.triangle);
   const Material& material = *objects[id.object].material;
   const Bands arriving = light_.quantaOf(sample);
-  for (int use = 0; use < (material.isSpecular() ? 2 : 1); ++use)
+  const std::size_t cell = material.cellOfTriangle[id.triangle];
+  const double cosine = material.isPane(cell) ? cosineOf(sample, triangles) : 1;
+  for (int use = 0; use < (material.hasOtherWays() ? static_cast<int>(kLeavings) : 1); ++use)
   {
-    Bands reflected{};
-    double all = 0;
-    for (int band = 0; band < material.bands; ++band)
-    {
-      const double reflectance = use == 0 ? material.reflectanceOf(id.triangle, band)
-                                          : material.specularOf(id.triangle, band);
-      reflected[static_cast<std::size_t>(band)] =
-        reflectance * arriving[static_cast<std::size_t>(band)];
-      all += reflected[static_cast<std::size_t>(band)];
-    }
+    const auto way = static_cast<Leaving>(use);
+    // What goes straight through clear sheets was looked for beyond.
+    const Bands reflected = way == Leaving::Straight && material.isClear(cell)
+      ? Bands{}
+      : material.partOf(way, cell, cosine) * arriving;
+    const double all = std::accumulate(reflected.begin(), reflected.end(), 0.0);
     const auto walks = static_cast<std::uint32_t>(
       all / static_cast<double>(quantaPerWalk_) + chance(seed_, number, use));
     if (walks > 0)
@@ -76,7 +83,7 @@ void WalkStarts::add(std::uint32_t number, std::uint32_t replicate, const SceneO
         power.quanta[band] =
           nearestQuanta(static_cast<double>(quantaPerWalk_) * (reflected[band] / all));
       }
-      starts_.push_back({ number, replicate, counts_[replicate], walks, use == 1, power });
+      starts_.push_back({ number, replicate, counts_[replicate], walks, way, power });
       counts_[replicate] += walks;
     }
   }

@@ -47,7 +47,7 @@ public:
   {
     std::uint32_t sample;
     std::uint32_t replicate, first, count; ///< walks, counted within the replicate
-    bool isSpecular;
+    Leaving leaving;
     Power power; ///< of each walk
   };
   const Start& operator[](std::uint32_t walk) const

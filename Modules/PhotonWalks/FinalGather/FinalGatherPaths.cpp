@@ -104,6 +104,11 @@ std::uint64_t seedOf(const FinalGatherScene& scene, std::uint64_t number)
   return splitMix(scene.seed ^ splitMix(number));
 }
 
+double cosineOf(const PathVertex& vertex)
+{
+  return -vertex.incoming.dot(vertex.point.normal);
+}
+
 /// The part of the largest weight that is left; of one band exactly its reflectance.
 double reflectedPart(const Bands& weight, const double* reflectances, int bands)
 {
@@ -191,7 +196,7 @@ void FinalGatherPaths::addSpecular(std::size_t cell, std::uint64_t number, const
 
 FinalGatherPaths::Path FinalGatherPaths::startOf(std::uint64_t seed, std::uint32_t ray)
 {
-  Path path{ {}, seed, ray, numberOfPaths_++, false, kInfinity };
+  Path path{ {}, seed, ray, numberOfPaths_++, false, false, kInfinity };
   std::fill_n(path.weight.begin(), bands_, 1.0 / scene_->raysOfReplicate());
   return path;
 }
@@ -222,6 +227,8 @@ FollowedPaths FinalGatherPaths::run(FollowedPaths memory)
         segment.from = inFloats(rays_[i].origin);
         segment.to = inFloats(rays_[i].direction);
         segment.triangle = SceneTriangles::kNone;
+        segment.isSpecular = paths_[i].isSpecular;
+        segment.isStraight = paths_[i].isStraight;
         segment.touchesMover = scene_->frame.contacts.hasDynamic(rays_[i].start);
         addStep(paths_[i], segment);
       }
@@ -312,8 +319,8 @@ void FinalGatherPaths::record(const Path& path, const Ray& ray, const Arrival& a
     object.hasExitance(object.material->cellOfTriangle[id.triangle]);
   addStep(path,
     { inFloats(ray.origin), inFloats(to), scene_->frame.triangles.numberOf(id), arrival.isFront(),
-      path.isSpecular, arrival.isKnown, !arrival.isKnown && !arrival.isUnknown, asksLights,
-      hasLampWeight,
+      path.isSpecular, path.isStraight, arrival.isKnown, !arrival.isKnown && !arrival.isUnknown,
+      asksLights, hasLampWeight,
       contacts.hasDynamic(ray.start) || contacts.hasDynamic(id) || arrival.lobe != nullptr });
   if (asksLights)
   {
@@ -352,15 +359,24 @@ void FinalGatherPaths::askLights(const Path& path, const PathVertex& at, const A
   const Material& material = *scene_->frame.objects[at.point.on.object].material;
   const std::uint64_t number =
     splitMix(path.seed ^ splitMix(std::uint64_t{ bounce_ } << 32 | path.number));
-  const bool asksDiffuse = arrival.isUnknown && material.reflectsDiffusely(arrival.side.cell);
-  Bands arriving{}, onLobe{};
+  const bool asksDiffuse = arrival.isUnknown && material.reflectsDiffusely(arrival.side.cell),
+             asksThrough = arrival.isUnknown && material.transmitsDiffusely(arrival.side.cell);
+  Bands arriving{}, behind{}, onLobe{};
   for (const PointDirectLight& lights : scene_->lights)
   {
+    std::vector<ShadowRay>* const shadows = scene_->keepsPaths ? &shadows_ : nullptr;
     if (asksDiffuse)
     {
-      arriving += lights.irradiance(at.point, number, scene_->keepsPaths ? &shadows_ : nullptr);
+      arriving += lights.irradiance(at.point, number, shadows);
+    }
+    if (asksThrough)
+    {
+      const SurfacePoint back = scene_->frame.scene.surfaceOf(arrival.hit, !arrival.isFront());
+      behind += lights.irradiance(
+        { back.clearPosition(), back.normal, at.point.on }, splitMix(number + 1), shadows);
     }
   }
+  const Bands through = material.partOf(Leaving::DiffuseThrough, arrival.side.cell, 1) * behind;
   if (arrival.lobe)
   {
     onLobe = lobeLight(*scene_, at, *arrival.lobe, splitMix(number), 0);
@@ -368,7 +384,8 @@ void FinalGatherPaths::askLights(const Path& path, const PathVertex& at, const A
   for (int band = 0; band < bands_; ++band)
   {
     const auto i = static_cast<std::size_t>(band);
-    double reflected = material.reflectanceOf(at.point.on.triangle, band) * arriving[i];
+    double reflected =
+      material.reflectanceOf(at.point.on.triangle, band) * arriving[i] + through[i];
     if (arrival.lobe)
     {
       reflected += material.specularOf(at.point.on.triangle, band) * onLobe[i];
@@ -381,45 +398,59 @@ void FinalGatherPaths::goOn(const Path& path, const Ray& ray, const Arrival& arr
 {
   const Material& material = *scene_->frame.objects[arrival.side.object].material;
   const std::size_t cell = arrival.side.cell;
-  const bool isSpecular = material.isSpecular(cell);
-  if (arrival.isKnown && !isSpecular)
+  if (arrival.isKnown && !material.isSpecular(cell) && !material.transmitsStraight(cell))
   {
-    return; // all that it reflects is known
+    return; // all that it sends is known
   }
-  const std::size_t first = cell * static_cast<std::size_t>(bands_);
-  const double* const diffuse = &material.reflectance[first];
-  const double* const specular = isSpecular ? &material.specularReflectance[first] : nullptr;
-  SurvivalProbabilities survival{ reflectedPart(path.weight, diffuse, bands_),
-    specular ? reflectedPart(path.weight, specular, bands_) : 0.0 };
+  const double cosine = material.isPane(cell) ? cosineOf(vertexOf(ray, arrival)) : 1;
+  std::array<Bands, kLeavings> parts;
+  SurvivalProbabilities survival;
+  for (std::size_t way = 0; way < kLeavings; ++way)
+  {
+    parts[way] = material.partOf(static_cast<Leaving>(way), cell, cosine);
+    survival.ways[way] = reflectedPart(path.weight, parts[way].data(), bands_);
+  }
   const double scale = std::max(1.0, survival.total()); // of several bands, see Absorption.h
-  survival.diffuse /= scale;
-  survival.specular /= scale;
+  for (double& probability : survival.ways)
+  {
+    probability /= scale;
+  }
   const double chance = sampleOf(path.seed, path.number, bounce_, Use::Survival)[0];
   if (!(chance < survival.total()))
   {
     return;
   }
-  const bool isDiffuse = !survival.isSpecularAt(chance);
-  if (isDiffuse && arrival.isKnown)
+  const Leaving way = survival.at(chance);
+  if (arrival.isKnown && !isSharp(way))
   {
     return;
   }
   Path next = path;
-  next.isSpecular = false;
   for (int band = 0; bands_ > 1 && band < bands_; ++band)
   {
     const auto i = static_cast<std::size_t>(band);
-    next.weight[i] *= (isDiffuse ? diffuse : specular)[i] / survival.of(!isDiffuse);
+    next.weight[i] *= parts[static_cast<std::size_t>(way)][i] / survival.of(way);
   }
-  const PathVertex vertex = vertexOf(ray, arrival);
-  if (!isDiffuse)
+  PathVertex vertex = vertexOf(ray, arrival);
+  if (way == Leaving::Specular)
   {
     goOnSpecularly(next, vertex, material.lobeOf(cell), next_, nextRays_);
     return;
   }
+  if (isThrough(way))
+  {
+    const SurfacePoint back = scene_->frame.scene.surfaceOf(arrival.hit, !arrival.isFront());
+    vertex.point.position = back.clearPosition();
+    vertex.point.normal = back.normal;
+  }
+  const bool goesStraight = way == Leaving::Straight;
+  next.isStraight = goesStraight && material.isClear(cell);
+  next.isSpecular = next.isStraight ? path.isSpecular : goesStraight;
+  next.density = kInfinity;
   nextRays_.push_back({ vertex.point.position,
-    sampleHemisphere(
-      vertex.point.normal, sampleOf(path.seed, path.number, bounce_, Use::Direction)),
+    goesStraight ? ray.direction
+                 : sampleHemisphere(vertex.point.normal,
+                     sampleOf(path.seed, path.number, bounce_, Use::Direction)),
     vertex.point.on });
   next_.push_back(next);
 }
@@ -432,6 +463,7 @@ void FinalGatherPaths::goOnSpecularly(Path path, const PathVertex& from, const P
   const Vector3 direction = lobe.sample(normal, from.incoming,
     { sample(Use::Direction), sample(Use::Acceptance)[0], sample(Use::Compensation) });
   path.isSpecular = true;
+  path.isStraight = false;
   path.density = scene_->asksOnLobes && !lobe.isMirror()
     ? lobe.value(normal, direction, -from.incoming) * direction.dot(normal)
     : kInfinity;

@@ -21,7 +21,8 @@ namespace irradiance
  * Follows paths that look for the indirect light of some sides of cells, or of single points:
  * backwards along the ways of light. Each begins as a ray from a point of its side, in a direction
  * with the density cos(theta) / pi, and ends where it hits a cell that is read. On any other cell
- * it goes on as a walk does: it survives with probability = reflectance. So it does on a cell of
+ * it goes on as a walk does: it survives with probability = reflectance, or transmittance. Lights are
+ * looked for through clear sheets, so on these it goes on straight as if there were none. So it does on a cell of
  * which nothing is known, or that is nearer than wide, whose mean says little of the point that is
  * hit: there the lights are asked. What they bring, see PathSums.
  *
@@ -65,7 +66,8 @@ private:
     std::uint64_t seed;   ///< of its start
     std::uint32_t number; ///< of the ray among those of its start
     std::uint32_t place;  ///< in the order of all paths
-    bool isSpecular;      ///< how it left its last hit
+    bool isSpecular;      ///< it left a hit sharply, and since then only clear sheets
+    bool isStraight;      ///< it left its last hit straight through a clear sheet
     double density; ///< of its direction if it left along a lobe, 1/sr; infinite from a mirror
   };
 

@@ -19,7 +19,8 @@ struct PathSegment
   std::array<float, 3> to; ///< where it hits; where it hits nothing, its direction
   std::uint32_t triangle;  ///< the number of what it hits, or SceneTriangles::kNone
   bool isFront : 1;        ///< which side it hits
-  bool isSpecular : 1;     ///< how it left its start
+  bool isSpecular : 1;     ///< it left a start sharply, and since then only clear sheets
+  bool isStraight : 1;     ///< it left its start straight through a clear sheet
   bool isKnown : 1;        ///< what the side received is read
   bool isDirectKnown : 1;  ///< what it received straight from the lights is read
   bool asksLights : 1;     ///< the lights were asked for what is not read

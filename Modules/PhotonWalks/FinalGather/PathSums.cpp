@@ -44,15 +44,26 @@ void addKnown(const FinalGatherScene& scene, const PathSegment& segment, const B
   const Material& material = *scene.frame.objects[id.object].material;
   const CellSide side{ scene.known.cellOf(id), segment.isFront ? 0 : 1 };
   const CellSums& sums = segment.isKnown ? scene.known : *scene.knownDirect;
+  const CellSide behind{ side, 1 - side.side };
   const double area = scene.frame.cells.area(side);
+  const bool isSheet = material.transmitsDiffusely(side.cell);
   for (int band = 0; band < scene.known.bands(); ++band)
   {
     const auto i = static_cast<std::size_t>(band);
     const double reflected = weight[i] * material.reflectanceOf(id.triangle, band) / area;
-    sum[i] += reflected * sums.sum(side, band, replicate, scene.knownRounds);
-    if (segment.isKnown && scene.knownStale)
+    const double through =
+      isSheet ? weight[i] * material.partOf(Leaving::DiffuseThrough, side.cell, 1)[i] / area : 0;
+    const auto add = [&](const CellSide& from, double part) {
+      sum[i] += part * sums.sum(from, band, replicate, scene.knownRounds);
+      if (segment.isKnown && scene.knownStale)
+      {
+        stale[i] += part / scene.replicates() * scene.knownStale->sum(from, band);
+      }
+    };
+    add(side, reflected);
+    if (isSheet)
     {
-      stale[i] += reflected / scene.replicates() * scene.knownStale->sum(side, band);
+      add(behind, through);
     }
   }
 }
@@ -72,7 +83,7 @@ void add(const FinalGatherScene& scene, const FollowedPaths::Path& path, std::ui
   const double quantaPerWatt = scene.quantaPerWatt / scene.replicates();
   const double* value = path.values;
   Bands weight{ 1.0 / scene.raysOfReplicate() };
-  bool countsSky = scene.sky != nullptr;
+  bool countsSky = scene.sky != nullptr, countedSky = countsSky;
   const auto addEmitted = [&](const Bands& emitted, double part) {
     for (int band = 0; band < bands; ++band)
     {
@@ -88,6 +99,8 @@ void add(const FinalGatherScene& scene, const FollowedPaths::Path& path, std::ui
       std::copy_n(value, bands, weight.begin());
       value += bands;
     }
+    // To clear sheets on its way a path pays no heed.
+    countsSky = segment->isStraight ? countedSky : countsSky;
     if (!isHit)
     {
       if (countsSky)
@@ -96,6 +109,7 @@ void add(const FinalGatherScene& scene, const FollowedPaths::Path& path, std::ui
       }
       return;
     }
+    countedSky = countsSky;
     countsSky = scene.sky && !segment->isDirectKnown; // what is known has that of the sky in it
     if (segment->isKnown || segment->isDirectKnown)
     {

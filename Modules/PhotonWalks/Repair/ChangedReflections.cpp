@@ -36,11 +36,10 @@ bool ChangedReflections::changeAt(
   const Power incoming = block.power(slot);
   const double sample =
     samples_.sample(block.walkOf(slot), block.bounceOf(slot) + 1, SampleUse::Survival)[0];
-  const Reflection is = reflectionOf(incoming, now, cell, sample),
-                   was = reflectionOf(incoming, before, cell, sample);
-  return is.survives != was.survives || is.isSpecular != was.isSpecular ||
-    !(is.outgoing == was.outgoing) ||
-    (is.isSpecular && now.phongExponent[cell] != before.phongExponent[cell]);
+  const Fate is = fateOf(incoming, now, cell, sample), was = fateOf(incoming, before, cell, sample);
+  return !(is == was) ||
+    (is.survives && is.way == Leaving::Specular &&
+      now.phongExponent[cell] != before.phongExponent[cell]);
 }
 
 }

@@ -29,17 +29,16 @@ double largestReflectance(const SceneObjects& objects)
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
     const Material& material = *objects[object].material;
-    const auto bands = static_cast<std::ptrdiff_t>(material.bands);
     for (const std::uint32_t cell : material.cellOfTriangle)
     {
-      const auto largest = [&](const std::vector<double>& reflectances) {
-        const auto first = reflectances.begin() + static_cast<std::ptrdiff_t>(cell) * bands;
-        return *std::max_element(first, first + bands);
-      };
-      // More than 1 in all if they are of different bands: then powers may grow.
-      all = std::max(all,
-        largest(material.reflectance) +
-          (material.isSpecular() ? largest(material.specularReflectance) : 0));
+      // More than 1 in all if they are of different bands: then powers may grow. A pane sends most
+      // on at grazing incidence.
+      double sum = 0;
+      for (std::size_t way = 0; way < kLeavings; ++way)
+      {
+        sum += material.partOf(static_cast<Leaving>(way), cell, 0).largest();
+      }
+      all = std::max(all, sum);
     }
   }
   return all;

@@ -137,7 +137,7 @@ private:
   std::size_t numberOfUnborn_ = 0;
   StalePower unborn_;
   SobolSequence samples_;
-  double reflectance_; ///< the largest of any triangle
+  double reflectance_; ///< in all, also let through: the largest of any triangle
 };
 
 }

@@ -64,7 +64,7 @@ struct FrontLoops
   /// coordinates as candidate.
   void (*draw)(WalkFront& front, const SobolSequence& samples);
   /// Takes the survivors, in order and without gaps, to the next front: start, weights, side, walk,
-  /// bounce, block, parent. `hasGlossy`: also isSpecular, the incoming directions and the origins.
+  /// bounce, block, parent. `hasGlossy`: also leaving, the incoming directions and the origins.
   /// Several bands: also the powers.
   void (*pack)(const WalkFront& from, WalkFront& to, bool hasGlossy, int bands);
   /// Where the rays of walks begin, and their directions. Reads walk, bounce, start, weights and

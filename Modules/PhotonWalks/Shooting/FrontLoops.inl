@@ -149,7 +149,8 @@ void packLoop(const WalkFront& from, WalkFront& to, bool hasGlossy, int bands)
       pack(&from.directionX[i], &to.directionX[kept]);
       pack(&from.directionY[i], &to.directionY[kept]);
       pack(&from.directionZ[i], &to.directionZ[kept]);
-      pack(&from.isSpecular[i], &to.isSpecular[kept]);
+      pack(reinterpret_cast<const std::uint8_t*>(&from.leaving[i]),
+        reinterpret_cast<std::uint8_t*>(&to.leaving[kept]));
       pack(&from.originX[i], &to.originX[kept]);
       pack(&from.originY[i], &to.originY[kept]);
       pack(&from.originZ[i], &to.originZ[kept]);

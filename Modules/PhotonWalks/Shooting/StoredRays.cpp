@@ -73,11 +73,7 @@ void StoredRays::find(
   readStarts(history, front);
   if (tracer.triangles().hasGlossy())
   {
-    std::fill_n(front.isSpecular.data(), front.size, std::uint8_t{ 0 });
-    if (!isOnlyOrigins)
-    {
-      findSpecular(tracer, history, front);
-    }
+    findWays(tracer, history, front, isOnlyOrigins);
   }
   tracer.stages().leave(front);
   findFirst(tracer, front);
@@ -115,39 +111,76 @@ void StoredRays::readStarts(const WalkHistory& history, WalkFront& front)
   }
 }
 
-/// Those that leave specularly need to know whence the light came.
-void StoredRays::findSpecular(
-  const WalkTracer& tracer, const WalkHistory& history, WalkFront& front)
+/// How walks leave, and so from which side. Those that leave sharply need to know whence the light
+/// came; at a pane that also decides how they leave.
+void StoredRays::findWays(
+  const WalkTracer& tracer, const WalkHistory& history, WalkFront& front, bool isOnlyOrigins)
 {
-  const SceneTriangles& triangles = tracer.triangles();
-  specularRows_.clear();
-  for (std::size_t row = 0; row < front.size; ++row)
+  const WalkStages& stages = tracer.stages();
+  const auto isPaneAt = [&](std::size_t row) {
+    const TriangleId id = tracer.triangles().idOf(front.start[row]);
+    return stages.materialOf(id.object).isPane(stages.cellOf(id));
+  };
+  const auto choose = [&](std::size_t row, double cosine) {
+    const Power incoming = history.power(SegmentPlace{ front.block[row], front.parent[row] });
+    front.leaving[row] = stages.leavingOf(tracer.triangles().idOf(front.start[row]),
+      front.walk[row], front.bounce[row], incoming, cosine);
+    front.side[row] = (front.side[row] != 0) != isThrough(front.leaving[row]) ? 1 : 0;
+  };
+  sharpRows_.clear();
+  std::fill_n(front.leaving.data(), front.size, Leaving::Diffuse);
+  for (std::uint32_t row = 0; row < front.size; ++row)
   {
-    if (front.bounce[row] == 0 || !triangles.looks()[front.start[row]].isGlossy())
+    if (front.bounce[row] == 0 || !tracer.triangles().looks()[front.start[row]].isGlossy())
     {
       continue;
     }
-    const Power incoming = history.power(SegmentPlace{ front.block[row], front.parent[row] });
-    if (tracer.stages().isReflectedSpecularly(
-          triangles.idOf(front.start[row]), front.walk[row], front.bounce[row], incoming))
+    const bool isPane = isPaneAt(row);
+    if (!isPane)
     {
-      front.isSpecular[row] = 1;
-      specularRows_.push_back(static_cast<std::uint32_t>(row));
+      choose(row, 1);
+    }
+    if (isPane || (isSharp(front.leaving[row]) && !isOnlyOrigins))
+    {
+      sharpRows_.push_back(row);
     }
   }
-  before_.reserve(specularRows_.size(), 1);
-  before_.size = specularRows_.size();
-  for (std::size_t i = 0; i < specularRows_.size(); ++i)
+  if (!sharpRows_.empty())
   {
-    before_.block[i] = front.block[specularRows_[i]];
-    before_.slot[i] = front.parent[specularRows_[i]];
+    findOriginsBefore(tracer, history, front);
   }
-  std::vector<std::uint32_t> firstRows = std::move(firstRows_); // of the front, not of those before
-  find(tracer, history, before_, true);
-  firstRows_ = std::move(firstRows);
-  for (std::size_t i = 0; i < specularRows_.size(); ++i)
+  for (const std::uint32_t row : sharpRows_)
   {
-    copyOrigin(before_, i, front, specularRows_[i]);
+    if (isPaneAt(row))
+    {
+      choose(row, stages.cosineOf(front, row, front.start[row], front.side[row] != 0));
+    }
+  }
+  if (isOnlyOrigins)
+  {
+    std::fill_n(front.leaving.data(), front.size, Leaving::Diffuse);
+  }
+}
+
+void StoredRays::findOriginsBefore(
+  const WalkTracer& tracer, const WalkHistory& history, WalkFront& front)
+{
+  if (!before_)
+  {
+    before_ = std::make_unique<StoredRays>();
+  }
+  WalkFront& before = before_->named_;
+  before.reserve(sharpRows_.size(), 1);
+  before.size = sharpRows_.size();
+  for (std::size_t i = 0; i < sharpRows_.size(); ++i)
+  {
+    before.block[i] = front.block[sharpRows_[i]];
+    before.slot[i] = front.parent[sharpRows_[i]];
+  }
+  before_->find(tracer, history, before, true);
+  for (std::size_t i = 0; i < sharpRows_.size(); ++i)
+  {
+    copyOrigin(before, i, front, sharpRows_[i]);
   }
 }
 

@@ -5,6 +5,7 @@
 #include "History/WalkHistory.h"
 #include "Shooting/WalkTracer.h"
 
+#include <memory>
 #include <vector>
 
 namespace irradiance
@@ -32,16 +33,19 @@ public:
     const std::vector<SegmentRef>& segments, Ray* rays);
 
 private:
-  /// Only origins are of use if `isOnlyOrigins`: no directions of specular reflections are
+  /// Only origins are of use if `isOnlyOrigins`: no directions of walks that leave sharply are
   /// computed.
   void find(
     const WalkTracer& tracer, const WalkHistory& history, WalkFront& front, bool isOnlyOrigins);
   void readStarts(const WalkHistory& history, WalkFront& front);
-  void findSpecular(const WalkTracer& tracer, const WalkHistory& history, WalkFront& front);
+  void findWays(
+    const WalkTracer& tracer, const WalkHistory& history, WalkFront& front, bool isOnlyOrigins);
+  void findOriginsBefore(const WalkTracer& tracer, const WalkHistory& history, WalkFront& front);
   void findFirst(const WalkTracer& tracer, WalkFront& front);
 
-  WalkFront named_, first_, before_;
-  std::vector<std::uint32_t> firstRows_, specularRows_;
+  WalkFront named_, first_;
+  std::vector<std::uint32_t> firstRows_, sharpRows_;
+  std::unique_ptr<StoredRays> before_; ///< finds the origins of segments before
 };
 
 }

@@ -5,6 +5,7 @@
 #include "Geometry/Ray.h"
 #include "Simd/Column.h"
 #include "Surfaces/Power.h"
+#include "Surfaces/ThinSheet.h"
 
 #include <algorithm>
 #include <array>
@@ -49,8 +50,8 @@ struct WalkFront
   Column<std::uint32_t> walk, bounce;
   Column<std::uint32_t> block; ///< that stores it
   Column<std::uint32_t> slot,
-    parent; ///< in the block: of this segment and of the one before, or kNone
-  Column<std::uint8_t> isSpecular; ///< how it leaves `start`; only where cells are glossy
+    parent;                ///< in the block: of this segment and of the one before, or kNone
+  Column<Leaving> leaving; ///< how it leaves `start`; only where cells are glossy
   Column<std::int64_t> power[Power::kMaxBands]; ///< quanta; only with several bands
   /// A bit for each walk of a group that survives, see WalkStages::absorb().
   Column<std::uint32_t> survivors;
@@ -155,7 +156,7 @@ private:
     visit(fronts.block...);
     visit(fronts.slot...);
     visit(fronts.parent...);
-    visit(fronts.isSpecular...);
+    visit(fronts.leaving...);
     for (int band = 0; bandsOfPower > 1 && band < bandsOfPower; ++band)
     {
       visit(fronts.power[band]...);

@@ -89,7 +89,7 @@ void WalkStages::startAtLights(WalkFront& front) const
   frontLoops().start(front, samples_, lights_.cumulativeFlux(), triangleOfLight_.data());
   if (triangles_.hasGlossy())
   {
-    std::fill_n(front.isSpecular.data(), front.size, std::uint8_t{ 0 });
+    std::fill_n(front.leaving.data(), front.size, Leaving::Diffuse);
   }
   for (std::size_t i = 0; bands() > 1 && i < front.size; ++i)
   {
@@ -112,10 +112,10 @@ void WalkStages::startAtCells(WalkFront& front) const
     front.start[i] = sample.triangle;
     front.weightB[i] = sample.weightB;
     front.weightC[i] = sample.weightC;
-    front.side[i] = sample.isFront ? 1 : 0;
+    front.side[i] = sample.isFront != isThrough(start.leaving) ? 1 : 0;
     if (triangles_.hasGlossy())
     {
-      front.isSpecular[i] = start.isSpecular ? 1 : 0;
+      front.leaving[i] = start.leaving;
       setOrigin(front, i, sample.from);
     }
     if (bands() > 1)
@@ -162,7 +162,7 @@ void WalkStages::absorb(WalkFront& from, WalkFront& to) const
   if (bands() == 1)
   {
     frontLoops().survive(from, SceneRows(triangles_), samples_);
-    chooseReflections(from);
+    chooseWays(from);
   }
   else
   {
@@ -173,47 +173,60 @@ void WalkStages::absorb(WalkFront& from, WalkFront& to) const
   checkEnds(to);
 }
 
+/// `front.candidate`: the samples.
 void WalkStages::decideByPowers(WalkFront& front) const
 {
   std::fill_n(front.survivors.data(), front.groups(), 0u);
   for (std::size_t i = 0; i < front.size; ++i)
   {
-    if (front.hit[i] == WalkFront::kNone)
+    if (front.hit[i] != WalkFront::kNone &&
+      choose(front, i, SobolPoint::toUnit(front.candidate[i])))
     {
-      continue;
-    }
-    const TriangleId id = triangles_.idOf(front.hit[i]);
-    const Material& material = materialOf(id.object);
-    const std::uint32_t cell = cellOf(id);
-    const Power incoming = front.powerAt(i, bands());
-    const SurvivalProbabilities survival = survivalProbabilities(incoming, material, cell);
-    const double sample = SobolPoint::toUnit(front.candidate[i]);
-    if (sample < survival.total())
-    {
-      const bool isSpecular = survival.isSpecularAt(sample);
       front.survivors[i / WalkFront::kGroup] |= 1u << i % WalkFront::kGroup;
-      front.isSpecular[i] = isSpecular ? 1 : 0;
-      front.setPower(
-        i, bands(), survivingPower(incoming, material, cell, isSpecular, survival.of(isSpecular)));
     }
   }
 }
 
 /// One band.
-void WalkStages::chooseReflections(WalkFront& front) const
+void WalkStages::chooseWays(WalkFront& front) const
 {
   for (std::size_t i = 0; triangles_.hasGlossy() && i < front.size; ++i)
   {
-    const std::uint32_t hit = front.hit[i];
-    front.isSpecular[i] = 0;
-    if (hit != WalkFront::kNone && triangles_.looks()[hit].isGlossy() &&
-      (front.survivors[i / WalkFront::kGroup] >> i % WalkFront::kGroup & 1u) != 0)
+    const std::uint32_t hit = front.hit[i], bit = 1u << i % WalkFront::kGroup;
+    std::uint32_t& survivors = front.survivors[i / WalkFront::kGroup];
+    front.leaving[i] = Leaving::Diffuse;
+    if (hit != WalkFront::kNone && triangles_.looks()[hit].isGlossy() && (survivors & bit) != 0)
     {
-      const bool isSpecular =
-        isReflectedSpecularly(triangles_.idOf(hit), front.walk[i], front.bounce[i] + 1, {});
-      front.isSpecular[i] = isSpecular ? 1 : 0;
+      const double sample =
+        samples_.sample(front.walk[i], front.bounce[i] + 1, SampleUse::Survival)[0];
+      survivors &= choose(front, i, sample) ? ~0u : ~bit;
     }
   }
+}
+
+bool WalkStages::choose(WalkFront& front, std::size_t row, double sample) const
+{
+  const TriangleId id = triangles_.idOf(front.hit[row]);
+  const Material& material = materialOf(id.object);
+  const std::uint32_t cell = cellOf(id);
+  const Power incoming = front.powerAt(row, bands() > 1 ? bands() : 0);
+  const double cosine =
+    material.isPane(cell) ? cosineOf(front, row, front.hit[row], front.hitSide[row] != 0) : 1;
+  const SurvivalProbabilities survival = survivalProbabilities(incoming, material, cell, cosine);
+  // In one band the kernel has decided, but for panes.
+  if ((bands() > 1 || material.isPane(cell)) && !(sample < survival.total()))
+  {
+    return false;
+  }
+  const Leaving way = survival.at(sample);
+  front.leaving[row] = way;
+  front.hitSide[row] = (front.hitSide[row] != 0) != isThrough(way) ? 1 : 0;
+  if (bands() > 1)
+  {
+    front.setPower(
+      row, bands(), survivingPower(incoming, material, cell, way, survival.of(way), cosine));
+  }
+  return true;
 }
 
 void WalkStages::checkEnds(const WalkFront& front) const
@@ -236,35 +249,57 @@ void WalkStages::leave(WalkFront& front) const
     return;
   }
   front.pad();
-  const auto specular = specularDirections(front); // the loop overwrites what it reads
+  const auto sharp = sharpDirections(front); // the loop overwrites what it reads
   frontLoops().leave(front, SceneRows(triangles_), samples_);
-  for (const auto& [row, direction] : specular)
+  for (const auto& [row, direction] : sharp)
   {
     setDirection(front, row, direction);
   }
 }
 
-/// Each has a lobe of its own.
-std::vector<std::pair<std::size_t, Vector3>> WalkStages::specularDirections(
+SurfacePoint WalkStages::pointOf(
+  const WalkFront& front, std::size_t row, std::uint32_t triangle, bool isFront) const
+{
+  const double b = front.weightB[row], c = front.weightC[row];
+  SurfacePoint point = surfacePoint(triangleOf(triangles_, triangle), { 1 - b - c, b, c });
+  point.turn(isFront);
+  return point;
+}
+
+double WalkStages::cosineOf(
+  const WalkFront& front, std::size_t row, std::uint32_t triangle, bool isFront) const
+{
+  const SurfacePoint point = pointOf(front, row, triangle, isFront);
+  return -point.normal.dot(
+    incomingDirection(point, { front.originX[row], front.originY[row], front.originZ[row] }));
+}
+
+/// Each has a lobe of its own, or goes on as it came.
+std::vector<std::pair<std::size_t, Vector3>> WalkStages::sharpDirections(
   const WalkFront& front) const
 {
   std::vector<std::pair<std::size_t, Vector3>> directions;
   for (std::size_t i = 0; triangles_.hasGlossy() && i < front.size; ++i)
   {
-    if (front.isSpecular[i] == 0)
+    if (!isSharp(front.leaving[i]))
     {
       continue;
     }
-    const double b = front.weightB[i], c = front.weightC[i];
-    SurfacePoint point = surfacePoint(triangleOf(triangles_, front.start[i]), { 1 - b - c, b, c });
-    point.turn(front.side[i] != 0);
+    const bool goesStraight = front.leaving[i] == Leaving::Straight;
+    const SurfacePoint point =
+      pointOf(front, i, front.start[i], (front.side[i] != 0) != goesStraight);
+    const Vector3 incoming =
+      incomingDirection(point, { front.originX[i], front.originY[i], front.originZ[i] });
+    if (goesStraight)
+    {
+      directions.emplace_back(i, roundedDirection(incoming, -point.normal));
+      continue;
+    }
     const auto sample = [&](SampleUse use) {
       return samples_.sample(front.walk[i], front.bounce[i], use);
     };
     const LobeSample samples{ sample(SampleUse::Direction), sample(SampleUse::Acceptance)[0],
       sample(SampleUse::Compensation) };
-    const Vector3 incoming =
-      incomingDirection(point, { front.originX[i], front.originY[i], front.originZ[i] });
     const TriangleId id = triangles_.idOf(front.start[i]);
     const PhongLobe& lobe = materialOf(id.object).lobeOf(cellOf(id));
     directions.emplace_back(
@@ -273,19 +308,16 @@ std::vector<std::pair<std::size_t, Vector3>> WalkStages::specularDirections(
   return directions;
 }
 
-bool WalkStages::isReflectedSpecularly(
-  const TriangleId& hit, std::uint32_t walk, std::uint32_t bounce, const Power& incoming) const
+Leaving WalkStages::leavingOf(const TriangleId& hit, std::uint32_t walk, std::uint32_t bounce,
+  const Power& incoming, double cosine) const
 {
-  const Material& material = materialOf(hit.object);
-  if (!material.isSpecular())
-  {
-    return false;
-  }
-  const SurvivalProbabilities probabilities =
-    survivalProbabilities(incoming, material, cellOf(hit));
+  const SurvivalProbabilities survival =
+    survivalProbabilities(incoming, materialOf(hit.object), cellOf(hit), cosine);
+  const auto isOther = [](double part) { return part != 0; };
   // Most cells of a shiny object may be matte: what survives there needs no sample.
-  return probabilities.specular != 0 &&
-    probabilities.isSpecularAt(samples_.sample(walk, bounce, SampleUse::Survival)[0]);
+  return std::any_of(survival.ways.begin() + 1, survival.ways.end(), isOther)
+    ? survival.at(samples_.sample(walk, bounce, SampleUse::Survival)[0])
+    : Leaving::Diffuse;
 }
 
 }

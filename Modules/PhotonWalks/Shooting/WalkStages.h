@@ -50,27 +50,27 @@ public:
 
   /// Walks leave their lights, areas or points in the air. Reads walk, for which any numbers of the
   /// plan will do; writes bounce, parent, the ray with side, the weights of its place on `start`,
-  /// candidate, isSpecular where cells are glossy, and powers with several bands.
+  /// candidate, leaving where cells are glossy, and powers with several bands.
   void start(WalkFront& front) const;
 
   /// Finds which sides the rays hit. Reads direction and hit; writes hitSide.
   void findSides(WalkFront& front) const;
 
   /**
-   * Walks end at their hits, or survive with probability = reflectance. Those that do go to the
-   * other front, in order, where they stand at the next bounce on the triangle `start`, which they
-   * are to leave: leave() makes their rays. Their slot becomes `parent`. Reads walk, bounce, block,
-   * slot, the ray, hit, weights and hitSide; with several bands uses up the powers of `from`.
+   * Walks end at their hits, or survive with probability = reflectance, or transmittance. Those that
+   * do go to the other front, in order, where they stand at the next bounce on the triangle `start`,
+   * which they are to leave from a side: leave() makes their rays. Their slot becomes `parent`.
+   * Reads walk, bounce, block, slot, the ray, hit, weights and hitSide; uses up hitSide, and with
+   * several bands the powers, of `from`.
    * Throws std::runtime_error for a walk that does not end.
    */
   void absorb(WalkFront& from, WalkFront& to) const;
 
   /**
    * Walks leave the points of `start` that the weights name. Reads walk, bounce, start, weights and
-   * side. Writes the ray. Of a stored segment the hit and the side that was hit are `start`,
+   * side. Writes the ray. Of a stored segment the hit and the side that was left are `start`,
    * weights and side of the segment after it, which has one bounce more. Where cells are glossy it
-   * also reads isSpecular, and for walks for which it is set the origin of the ray that came and
-   * its direction.
+   * also reads leaving, and for walks that leave sharply the origin of the ray that came.
    */
   void leave(WalkFront& front) const;
 
@@ -87,25 +87,34 @@ public:
   {
     return materialOf(id.object).cellOfTriangle[id.triangle];
   }
-  /// Of the hit of a walk's segment before `bounce`, given that it survives there. `incoming`:
-  /// the power of that segment; matters only if there are several bands.
-  bool isReflectedSpecularly(
-    const TriangleId& hit, std::uint32_t walk, std::uint32_t bounce, const Power& incoming) const;
+  /// How a walk leaves the hit of its segment before `bounce`, given that it survives there.
+  /// `incoming`: the power of that segment; matters only if there are several bands. `cosine`: of
+  /// incidence; matters for panes.
+  Leaving leavingOf(const TriangleId& hit, std::uint32_t walk, std::uint32_t bounce,
+    const Power& incoming, double cosine) const;
+  /// Of the row of a front: what hits `triangle` on a side, at the place that the weights name.
+  double cosineOf(
+    const WalkFront& front, std::size_t row, std::uint32_t triangle, bool isFront) const;
 
 private:
+  /// Where a row is on a triangle, on one of its sides.
+  SurfacePoint pointOf(
+    const WalkFront& front, std::size_t row, std::uint32_t triangle, bool isFront) const;
+  /// How a row leaves its hit, from which side, and with which power. False if it does not.
+  bool choose(WalkFront& front, std::size_t row, double sample) const;
   std::size_t numberOfLight(std::uint32_t walk) const
   {
     return lights_.choose(samples_.sample(walk, 0, SampleUse::Light)[0]);
   }
   /// Several bands: whether a walk survives depends on its powers, which change.
   void decideByPowers(WalkFront& front) const;
-  void chooseReflections(WalkFront& front) const;
+  void chooseWays(WalkFront& front) const;
   void startAtLights(WalkFront& front) const;
   void startAtCells(WalkFront& front) const;
   void startByLights(WalkFront& front) const;
-  /// Of the few walks that leave specularly, by row. They follow from where the segments before
+  /// Of the few walks that leave sharply, by row. They follow from where the segments before
   /// began, and from the points that are left, as both follow from what is stored.
-  std::vector<std::pair<std::size_t, Vector3>> specularDirections(const WalkFront& front) const;
+  std::vector<std::pair<std::size_t, Vector3>> sharpDirections(const WalkFront& front) const;
   void checkEnds(const WalkFront& front) const;
 
   const SceneObjects& objects_;

@@ -10,15 +10,26 @@
 namespace irradiance
 {
 
-/// The probabilities with which a walk survives a hit. One sample decides: below `diffuse` the walk
-/// leaves diffusely, then up to their sum specularly, else it is absorbed.
+/// The probabilities with which a walk survives a hit, by how it leaves. One sample decides: they
+/// lie one behind the other, and beyond their sum the walk is absorbed.
 struct SurvivalProbabilities
 {
-  double diffuse, specular = 0;
+  std::array<double, kLeavings> ways{};
 
-  double total() const { return diffuse + specular; }
-  double of(bool isSpecular) const { return isSpecular ? specular : diffuse; }
-  bool isSpecularAt(double sample) const { return specular != 0 && !(sample < diffuse); }
+  double total() const { return ways[0] + ways[1] + ways[2] + ways[3]; }
+  double of(Leaving way) const { return ways[static_cast<std::size_t>(way)]; }
+  /// Of a sample that survives. Their sum may be rounded down: the last way has the rest.
+  Leaving at(double sample) const
+  {
+    std::size_t last = 0;
+    double sum = 0;
+    for (std::size_t way = 0; way < ways.size() && !(sample < sum); ++way)
+    {
+      last = ways[way] > 0 ? way : last;
+      sum += ways[way];
+    }
+    return static_cast<Leaving>(last);
+  }
 };
 
 /// The part of the strongest band that a material of these reflectances (by band) reflects.
@@ -35,78 +46,82 @@ inline double reflectedPart(const Power& incoming, const double* reflectances, i
 }
 
 /**
- * One band: the reflectances (section 3.1 of the paper), in all at most 1. Several: the parts of
- * the strongest band that are reflected diffusely and specularly. If these add up to more than 1,
- * as they may if they are of different bands, both are divided by their sum.
+ * One band: the reflectances (section 3.1 of the paper) and transmittances, in all at most 1.
+ * Several: the parts of the strongest band. If these add up to more than 1, as they may if they are
+ * of different bands, all are divided by their sum. `cosine`: of incidence; it matters for panes.
  */
 inline SurvivalProbabilities survivalProbabilities(
-  const Power& incoming, const Material& material, std::size_t cell)
+  const Power& incoming, const Material& material, std::size_t cell, double cosine = 1)
 {
   const std::size_t first = cell * static_cast<std::size_t>(material.bands);
-  if (material.bands == 1)
+  if (!material.hasOtherWays())
   {
-    return material.isSpecular() ? SurvivalProbabilities{ material.reflectance[first],
-      material.totalReflectance()[first] - material.reflectance[first] }
-                                 : SurvivalProbabilities{ material.reflectance[first] };
+    return { { material.bands == 1
+        ? material.reflectance[first]
+        : reflectedPart(incoming, &material.reflectance[first], material.bands) } };
   }
-  SurvivalProbabilities survival{ reflectedPart(
-    incoming, &material.reflectance[first], material.bands) };
-  if (material.isSpecular())
+  SurvivalProbabilities survival;
+  for (std::size_t way = 0; way < kLeavings; ++way)
   {
-    survival.specular =
-      reflectedPart(incoming, &material.specularReflectance[first], material.bands);
-    const double scale = std::max(1.0, survival.total());
-    survival.diffuse /= scale;
-    survival.specular /= scale;
+    const Bands part = material.partOf(static_cast<Leaving>(way), cell, cosine);
+    survival.ways[way] =
+      material.bands == 1 ? part[0] : reflectedPart(incoming, part.data(), material.bands);
+  }
+  const double scale = material.bands == 1 ? 1 : std::max(1.0, survival.total());
+  for (double& probability : survival.ways)
+  {
+    probability /= scale;
   }
   return survival;
 }
 
-/// The power of a walk that survived by this reflection, with `probability` > 0. The reflected
-/// power over the probability keeps the mean. Without scaling, see above, it leaves the strongest
-/// band what it had: one band keeps its power.
+/// The power of a walk that survived in this way, with `probability` > 0. The power that leaves
+/// over the probability keeps the mean. Without scaling, see above, it leaves the strongest band
+/// what it had: one band keeps its power.
 inline Power survivingPower(const Power& incoming, const Material& material, std::size_t cell,
-  bool isSpecular, double probability)
+  Leaving way, double probability, double cosine = 1)
 {
   if (material.bands == 1)
   {
     return incoming;
   }
-  const std::vector<double>& reflectances =
-    isSpecular ? material.specularReflectance : material.reflectance;
-  const double* const first = &reflectances[cell * static_cast<std::size_t>(material.bands)];
+  const Bands part = material.partOf(way, cell, cosine);
   const bool isScaled =
-    material.isSpecular() && probability < reflectedPart(incoming, first, material.bands);
+    material.hasOtherWays() && probability < reflectedPart(incoming, part.data(), material.bands);
   Power outgoing;
   for (int band = 0; band < material.bands; ++band)
   {
-    const double reflected = first[band] * static_cast<double>(incoming[band]);
-    const std::int64_t quanta = nearestQuanta(reflected / probability);
+    const double left = part[static_cast<std::size_t>(band)] * static_cast<double>(incoming[band]);
+    const std::int64_t quanta = nearestQuanta(left / probability);
     outgoing[band] = isScaled ? quanta : std::min(quanta, incoming.largest());
   }
   return outgoing;
 }
 
 /// What becomes of a walk at a hit.
-struct Reflection
+struct Fate
 {
-  bool survives = false, isSpecular = false;
-  Power outgoing; ///< if it survives
+  bool survives = false;
+  Leaving way = Leaving::Diffuse; ///< if it survives
+  Power outgoing{};
+
+  friend bool operator==(const Fate& a, const Fate& b)
+  {
+    return a.survives == b.survives && a.way == b.way && a.outgoing == b.outgoing;
+  }
 };
 
-/// `sample`: of the survival.
-inline Reflection reflectionOf(
-  const Power& incoming, const Material& material, std::size_t cell, double sample)
+/// `sample`: of the survival. Not of a pane, where it depends on the direction.
+inline Fate fateOf(const Power& incoming, const Material& material, std::size_t cell, double sample)
 {
   const SurvivalProbabilities survival = survivalProbabilities(incoming, material, cell);
-  // In one band the sum of both parts may be rounded, and is not what decides.
-  if (!(sample < (material.bands == 1 ? material.totalReflectance()[cell] : survival.total())))
+  // In one band the sum of all ways may be rounded, and is not what decides.
+  if (!(sample < (material.bands == 1 ? material.surviving()[cell] : survival.total())))
   {
     return {};
   }
-  const bool isSpecular = survival.isSpecularAt(sample);
-  return { true, isSpecular,
-    survivingPower(incoming, material, cell, isSpecular, survival.of(isSpecular)) };
+  const Leaving way = survival.at(sample);
+  return { true, way, survivingPower(incoming, material, cell, way, survival.of(way)) };
 }
 
 }

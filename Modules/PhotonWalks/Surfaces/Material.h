@@ -3,6 +3,8 @@
 #define irradiance_Material_h
 
 #include "Surfaces/PhongLobe.h"
+#include "Surfaces/Power.h"
+#include "Surfaces/ThinSheet.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -14,7 +16,8 @@
 namespace irradiance
 {
 
-/// How cells of an object reflect. Arrays hold one value per cell and band, cell-major.
+/// How cells of an object reflect, and let light through. Arrays hold one value per cell and band,
+/// cell-major.
 struct Material
 {
   int bands = 1; ///< 1 or 3
@@ -25,6 +28,11 @@ struct Material
   std::vector<double> specularReflectance;
   /// Of each cell, see PhongLobe: >= 0, infinite for a mirror. Empty: none. Set by setSpecular().
   std::vector<double> phongExponent;
+  /// 0..1; with what is reflected at most 1. Empty: none. Set by setSheets().
+  std::vector<double> diffuseTransmittance, specularTransmittance;
+  /// Of each cell: one above 1 is a pane, see Pane. Empty: none is. Set by setSheets().
+  std::vector<double> refractiveIndex;
+  std::vector<double> internalTransmittance; ///< of panes; 1 where setSheets() is told none
   /// The first cell of each input, if there are several.
   std::vector<std::size_t> firstCellOfPart;
 
@@ -33,25 +41,44 @@ struct Material
   {
     specularReflectance = std::move(specular);
     phongExponent = std::move(exponents);
-    total_.clear();
-    lobes_.clear();
-    lobeOfCell_.clear();
-    for (std::size_t i = 0; bands == 1 && i < reflectance.size(); ++i)
+    derive();
+  }
+
+  /// After setSpecular(). Each may be empty. A pane needs none but the last two: what it reflects
+  /// and lets through follows from them, and for light from all directions stands in the arrays.
+  void setSheets(std::vector<double> diffuse, std::vector<double> specular,
+    std::vector<double> index, std::vector<double> internal)
+  {
+    diffuseTransmittance = std::move(diffuse);
+    specularTransmittance = std::move(specular);
+    refractiveIndex = std::move(index);
+    internalTransmittance = std::move(internal);
+    internalTransmittance.resize(refractiveIndex.empty() ? 0 : reflectance.size(), 1.0);
+    std::map<std::pair<double, double>, PaneLight> lights; // of what is alike
+    for (std::size_t cell = 0; cell < refractiveIndex.size(); ++cell)
     {
-      total_.push_back(std::min(reflectance[i] + specularReflectance[i], 1.0));
-    }
-    std::map<double, std::uint32_t> known;
-    for (std::size_t cell = 0; cell < phongExponent.size(); ++cell)
-    {
-      // A cell without a specular part needs no lobe of its own.
-      const double exponent = isSpecular(cell) ? phongExponent[cell] : kInfinity;
-      const auto [lobe, isNew] = known.emplace(exponent, static_cast<std::uint32_t>(lobes_.size()));
-      if (isNew)
+      for (int band = 0; isPane(cell) && band < bands; ++band)
       {
-        lobes_.emplace_back(exponent);
+        const std::size_t slot = slotOf(cell, band);
+        specularReflectance.resize(reflectance.size());
+        specularTransmittance.resize(reflectance.size());
+        phongExponent.resize(numberOfCells, kInfinity);
+        phongExponent[cell] = kInfinity;
+        reflectance[slot] = 0;
+        if (!diffuseTransmittance.empty())
+        {
+          diffuseTransmittance[slot] = 0;
+        }
+        const auto [known, isNew] =
+          lights.try_emplace({ refractiveIndex[cell], internalTransmittance[slot] });
+        PaneLight& light = known->second;
+        light =
+          isNew ? paneInDiffuseLight(refractiveIndex[cell], internalTransmittance[slot]) : light;
+        specularReflectance[slot] = light.reflected;
+        specularTransmittance[slot] = light.transmitted;
       }
-      lobeOfCell_.push_back(lobe->second);
     }
+    derive();
   }
 
   bool reflectsDiffusely(std::size_t cell) const { return isPositive(reflectance, cell); }
@@ -62,11 +89,61 @@ struct Material
   }
   /// Only if isSpecular().
   const PhongLobe& lobeOf(std::size_t cell) const { return lobes_[lobeOfCell_[cell]]; }
-  /// In one band, by cell: what is reflected in all.
-  const std::vector<double>& totalReflectance() const
+  bool isPane(std::size_t cell) const
   {
-    return isSpecular() ? total_ : reflectance;
+    return !refractiveIndex.empty() && refractiveIndex[cell] > 1;
   }
+  bool transmitsDiffusely(std::size_t cell) const
+  {
+    return !diffuseTransmittance.empty() && isPositive(diffuseTransmittance, cell);
+  }
+  bool transmitsStraight(std::size_t cell) const
+  {
+    return !specularTransmittance.empty() && isPositive(specularTransmittance, cell);
+  }
+  bool transmits(std::size_t cell) const
+  {
+    return transmitsDiffusely(cell) || transmitsStraight(cell);
+  }
+  /// Whether the light of all bands goes straight through alike: so rays that look for lamps do.
+  bool isClear(std::size_t cell) const
+  {
+    if (!transmitsStraight(cell))
+    {
+      return false;
+    }
+    const auto first = specularTransmittance.begin() + static_cast<std::ptrdiff_t>(slotOf(cell, 0));
+    return std::all_of(first, first + bands, [&](double value) { return value == *first; });
+  }
+  /// Whether cells may do more than to reflect diffusely.
+  bool hasOtherWays() const { return isSpecular() || hasSheets(); }
+  bool hasSheets() const { return !diffuseTransmittance.empty() || !specularTransmittance.empty(); }
+  /// The part of the light in each band that leaves in a way. `cosine`: of incidence; it matters
+  /// for panes.
+  Bands partOf(Leaving way, std::size_t cell, double cosine) const
+  {
+    Bands part{};
+    const std::vector<double>& all = way == Leaving::Diffuse ? reflectance
+      : way == Leaving::Specular                             ? specularReflectance
+      : way == Leaving::DiffuseThrough                       ? diffuseTransmittance
+                                                             : specularTransmittance;
+    const bool isOfPane = isPane(cell) && isSharp(way);
+    for (int band = 0; !all.empty() && band < bands; ++band)
+    {
+      const std::size_t slot = slotOf(cell, band);
+      double& value = part[static_cast<std::size_t>(band)];
+      value = all[slot];
+      if (isOfPane)
+      {
+        const PaneLight light = pane(refractiveIndex[cell], internalTransmittance[slot], cosine);
+        value = isThrough(way) ? light.transmitted : light.reflected;
+      }
+    }
+    return part;
+  }
+
+  /// In one band, by cell: what is not absorbed, of panes at most.
+  const std::vector<double>& surviving() const { return total_.empty() ? reflectance : total_; }
 
   double reflectanceOf(std::uint32_t triangle, int band) const
   {
@@ -81,37 +158,44 @@ struct Material
       static_cast<std::size_t>(band)];
   }
 
-  /// Diffusely and specularly, the mean over the bands.
-  double reflectedOf(std::uint32_t triangle) const
+  /// All that is not absorbed, the mean over the bands.
+  double keptOf(std::uint32_t triangle) const
   {
     double sum = 0;
     for (int band = 0; band < bands; ++band)
     {
       sum += reflectanceOf(triangle, band) + (isSpecular() ? specularOf(triangle, band) : 0);
     }
+    for (const std::vector<double>* through : { &diffuseTransmittance, &specularTransmittance })
+    {
+      for (int band = 0; !through->empty() && band < bands; ++band)
+      {
+        sum += (*through)[slotOf(cellOfTriangle[triangle], band)];
+      }
+    }
     return sum / bands;
   }
 
-  /// Whether another material is of the same cells, which may reflect otherwise.
+  /// Whether another material is of the same cells, which let the same light through; they may
+  /// reflect otherwise.
   bool hasCellsOf(const Material& other) const
   {
     return this == &other ||
       (bands == other.bands && numberOfCells == other.numberOfCells &&
-        cellOfTriangle == other.cellOfTriangle && firstCellOfPart == other.firstCellOfPart);
+        cellOfTriangle == other.cellOfTriangle && firstCellOfPart == other.firstCellOfPart &&
+        diffuseTransmittance == other.diffuseTransmittance &&
+        specularTransmittance == other.specularTransmittance &&
+        refractiveIndex == other.refractiveIndex &&
+        internalTransmittance == other.internalTransmittance);
   }
-  /// Whether a cell reflects as that of another material of the same cells does.
+  /// Whether a cell reflects as that of such a material does.
   bool reflectsAs(const Material& other, std::size_t cell) const
   {
-    const auto bandsAt = [&](const std::vector<double>& values) {
-      return values.begin() + static_cast<std::ptrdiff_t>(cell * static_cast<std::size_t>(bands));
+    const auto areSame = [&](Leaving way) {
+      return partOf(way, cell, 1) == other.partOf(way, cell, 1);
     };
-    const auto areSame = [&](const std::vector<double>& a, const std::vector<double>& b) {
-      return std::equal(bandsAt(a), bandsAt(a) + bands, bandsAt(b));
-    };
-    return areSame(reflectance, other.reflectance) && isSpecular(cell) == other.isSpecular(cell) &&
-      (!isSpecular(cell) ||
-        (areSame(specularReflectance, other.specularReflectance) &&
-          phongExponent[cell] == other.phongExponent[cell]));
+    return areSame(Leaving::Diffuse) && areSame(Leaving::Specular) &&
+      (!isSpecular(cell) || phongExponent[cell] == other.phongExponent[cell]);
   }
 
   std::uint32_t partOfCell(std::size_t cell) const
@@ -128,6 +212,38 @@ struct Material
   }
 
 private:
+  std::size_t slotOf(std::size_t cell, int band) const
+  {
+    return cell * static_cast<std::size_t>(bands) + static_cast<std::size_t>(band);
+  }
+  void derive()
+  {
+    total_.clear();
+    lobes_.clear();
+    lobeOfCell_.clear();
+    for (std::size_t i = 0; bands == 1 && hasOtherWays() && i < reflectance.size(); ++i)
+    {
+      double sum = reflectance[i];
+      for (const auto* more :
+        { &specularReflectance, &diffuseTransmittance, &specularTransmittance })
+      {
+        sum += more->empty() ? 0 : (*more)[i];
+      }
+      total_.push_back(isPane(i) ? 1 : std::min(sum, 1.0));
+    }
+    std::map<double, std::uint32_t> known;
+    for (std::size_t cell = 0; cell < phongExponent.size(); ++cell)
+    {
+      // A cell without a specular part needs no lobe of its own.
+      const double exponent = isSpecular(cell) ? phongExponent[cell] : kInfinity;
+      const auto [lobe, isNew] = known.emplace(exponent, static_cast<std::uint32_t>(lobes_.size()));
+      if (isNew)
+      {
+        lobes_.emplace_back(exponent);
+      }
+      lobeOfCell_.push_back(lobe->second);
+    }
+  }
   /// In some band.
   bool isPositive(const std::vector<double>& reflectances, std::size_t cell) const
   {

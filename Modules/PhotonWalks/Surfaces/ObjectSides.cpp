@@ -13,6 +13,25 @@ namespace irradiance
 namespace
 {
 
+/// A surface that lets light through anywhere is a sheet: there is light on both sides.
+void open(const Material& material, SolidSides& sides)
+{
+  for (std::size_t i = 0; material.hasSheets() && i < sides.of.size(); ++i)
+  {
+    Shell& shell = sides.shells[sides.shellOf[i]];
+    shell.isClosed = shell.isClosed && !material.transmits(material.cellOfTriangle[i]);
+  }
+  for (std::size_t i = 0; material.hasSheets() && i < sides.of.size(); ++i)
+  {
+    Shell& shell = sides.shells[sides.shellOf[i]];
+    if (!shell.isClosed)
+    {
+      shell.isRoom = shell.isOutermost = false;
+      sides.of[i] = SolidSide::None;
+    }
+  }
+}
+
 SolidSides solidSidesOf(const SceneObject& object, bool isStatic, const CancelPoint& cancelPoint)
 {
   std::vector<Triangle> triangles = object.body->mesh().triangles();
@@ -27,7 +46,9 @@ SolidSides solidSidesOf(const SceneObject& object, bool isStatic, const CancelPo
     lamps.push_back(object.isLamp(i));
     parts.push_back(object.material->partOfCell(object.material->cellOfTriangle[i]));
   }
-  return solidSides(triangles, parts, lamps, isStatic, cancelPoint);
+  SolidSides sides = solidSides(triangles, parts, lamps, isStatic, cancelPoint);
+  open(*object.material, sides);
+  return sides;
 }
 
 }

@@ -19,7 +19,8 @@ void add(const TriangleMesh& mesh, Hash& hash)
 void add(const Material& material, Hash& hash)
 {
   hash.add(material.bands, material.cellOfTriangle, material.reflectance,
-    material.specularReflectance, material.phongExponent);
+    material.specularReflectance, material.phongExponent, material.diffuseTransmittance,
+    material.specularTransmittance, material.refractiveIndex, material.internalTransmittance);
 }
 
 void add(const Emission& emission, Hash& hash)

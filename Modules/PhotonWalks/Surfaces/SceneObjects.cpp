@@ -54,7 +54,7 @@ double meanReflectance(const SceneObject& object)
   for (std::uint32_t i = 0; i < triangles.size(); ++i)
   {
     const double its = triangles[i].area();
-    reflected += its * object.material->reflectedOf(i);
+    reflected += its * object.material->keptOf(i);
     area += its;
   }
   return area > 0 ? reflected / area : 0;

@@ -83,8 +83,8 @@ bool isSameThing(const SceneObject& now, const SceneObject& before);
 /// World area of every cell, m2; 0 if the object is not there.
 std::vector<double> cellAreas(const SceneObject& object, const CancelPoint& cancelPoint = {});
 
-/// The part of the light that an object reflects, diffusely and specularly, if it arrives alike
-/// everywhere: the mean over its area and the bands, 0..1; 0 for an object without area.
+/// The part of the light that an object reflects or lets through, in whatever way, if it arrives
+/// alike everywhere: the mean over its area and the bands, 0..1; 0 for an object without area.
 double meanReflectance(const SceneObject& object);
 
 }

@@ -29,7 +29,8 @@ namespace irradiance
  */
 struct CellLook
 {
-  /// Bits of `cell` beside the number.
+  /// Bits of `cell` beside the number. Glossy is what light may leave otherwise than diffusely on
+  /// the side where it came: also sheets that let it through.
   static constexpr std::uint32_t kSurvivesAlways = 1u << 31, kIsGlossy = 1u << 30;
   static constexpr std::uint32_t kNumber = kIsGlossy - 1;
 
@@ -37,13 +38,13 @@ struct CellLook
   std::uint32_t threshold; ///< a walk survives if its sample is below, or always
 
   CellLook() = default;
-  /// `reflectance`: in all; with several bands it depends on the walk, and is not used.
-  CellLook(std::uint32_t number, double reflectance, bool isGlossy)
+  /// `survival`: what is not absorbed; with several bands it depends on the walk, and is not used.
+  CellLook(std::uint32_t number, double survival, bool isGlossy)
     : cell(number | (isGlossy ? kIsGlossy : 0u))
     , threshold(0)
   {
     constexpr double kAll = 0x1p32;
-    const double surviving = std::ceil(kAll * reflectance - 0.5);
+    const double surviving = std::ceil(kAll * survival - 0.5);
     if (surviving >= kAll)
     {
       cell |= kSurvivesAlways;
@@ -130,8 +131,8 @@ private:
     {
       const std::uint32_t cell = material->cellOfTriangle[number - first];
       looks_[number] = CellLook(static_cast<std::uint32_t>(firstCell + cell),
-        material->bands == 1 ? material->totalReflectance()[cell] : 0.0,
-        material->isSpecular(cell));
+        material->bands == 1 ? material->surviving()[cell] : 0.0,
+        material->isSpecular(cell) || material->transmits(cell));
       isGlossy = isGlossy || looks_[number].isGlossy();
       pace.step();
     }

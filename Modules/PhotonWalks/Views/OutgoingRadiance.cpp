@@ -64,6 +64,21 @@ OutgoingRadiance::SeenParts OutgoingRadiance::partsOf(const SceneCell& cell, con
   return { front > 0 ? front / area : 0, back > 0 ? back / area : 0 };
 }
 
+OutgoingRadiance::SentParts OutgoingRadiance::sentBy(
+  const SceneCell& cell, std::size_t side, std::size_t band) const
+{
+  const Material& material = materialOf(cell);
+  const double reflected = material.partOf(Leaving::Diffuse, cell.cell, 1)[band],
+               through = material.partOf(Leaving::DiffuseThrough, cell.cell, 1)[band];
+  if (engine_.settings().separateSides)
+  {
+    return { { { sumsOf(cell, side), reflected }, { sumsOf(cell, 1 - side), through } } };
+  }
+  // Light of both sides together: of a sheet each sends half of all that leaves.
+  const double part = material.transmits(cell.cell) ? (reflected + through) / 2 : reflected;
+  return { { { sumsOf(cell, side), part }, {} } };
+}
+
 OutgoingRadiance::Light OutgoingRadiance::lightOf(
   const SceneCell& cell, const Eye& eye, const std::vector<Bands>& specular) const
 {
@@ -82,8 +97,11 @@ OutgoingRadiance::Light OutgoingRadiance::lightOf(
       {
         const Bands emitted =
           emittedFrom(engine_.objects()[cell.object], cell.cell, side == 0, toEye);
-        leaving += parts[side] *
-          (emitted[i] + material.reflectance[slot] * engine_.irradiance(sumsOf(cell, side), band));
+        leaving += parts[side] * emitted[i];
+        for (const auto& [sums, part] : sentBy(cell, side, i))
+        {
+          leaving += parts[side] * part * engine_.irradiance(sums, band);
+        }
       }
     }
     for (const Bands& replicate : specular)
@@ -103,7 +121,8 @@ double OutgoingRadiance::standardErrorOf(const SceneCell& cell, const SeenParts&
 {
   const Material& material = materialOf(cell);
   const std::size_t slot = cell.cell * static_cast<std::size_t>(material.bands) + band;
-  const double diffuse = material.reflectance[slot];
+  const double diffuse =
+    material.reflectance[slot] + material.partOf(Leaving::DiffuseThrough, cell.cell, 1)[band];
   const double mirrored = specular.empty() ? 0 : material.specularReflectance[slot];
   if (!(diffuse + mirrored > 0))
   {
@@ -114,12 +133,14 @@ double OutgoingRadiance::standardErrorOf(const SceneCell& cell, const SeenParts&
   double least = 0;
   for (std::size_t side = 0; side < 2; ++side)
   {
-    if (seen[side] != 0)
+    for (const auto& [sums, part] : sentBy(cell, side, band))
     {
-      const CellSide sums = sumsOf(cell, side);
-      const double perQuantum =
-        diffuse > 0 ? diffuse * seen[side] * engine_.watts(1.0) / engine_.cells().area(cell) : 0;
-      least += diffuse > 0 ? perQuantum * errors_.standardError(sums, static_cast<int>(band)) : 0;
+      if (!(seen[side] * part > 0))
+      {
+        continue;
+      }
+      const double perQuantum = part * seen[side] * engine_.watts(1.0) / engine_.cells().area(cell);
+      least += perQuantum * errors_.standardError(sums, static_cast<int>(band));
       for (std::uint32_t k = 0; k < replicates; ++k)
       {
         parts[k] += perQuantum * errors_.ofReplicate(sums, static_cast<int>(band), k) / replicates;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace irradiance
@@ -39,8 +40,8 @@ struct Eye
 /**
  * The radiance, W/m2/sr, that leaves cells towards an eye: emitted, reflected diffusely (from the
  * irradiance of the cell) and specularly. Means over the area of a cell, both of the light and of
- * the direction to the eye. What stands between is not looked at. Where SeparateSides is off,
- * diffuse light is the light of both sides.
+ * the direction to the eye. What stands between is not looked at, nor what stands behind a sheet.
+ * Where SeparateSides is off, diffuse light is the light of both sides.
  *
  * Specular light is gathered: from points spread over the cell rays leave along the lobe about the
  * mirrored direction to the eye, and read what they hit as those of sensors do, see
@@ -73,6 +74,9 @@ private:
   {
     return { cell, engine_.settings().separateSides ? static_cast<int>(side) : CellSide::kBoth };
   }
+  /// What a side sends diffusely: a part of the irradiance of this one and of the other.
+  using SentParts = std::array<std::pair<CellSide, double>, 2>;
+  SentParts sentBy(const SceneCell& cell, std::size_t side, std::size_t band) const;
   bool isSpecular(const SceneCell& cell) const
   {
     return engine_.cells().area(cell) > 0 && materialOf(cell).isSpecular(cell.cell);
