@@ -21,7 +21,7 @@ class Film:
 
     def __init__(self, folder):
         self.folder = folder
-        (folder / "pictures").mkdir()
+        (folder / "pictures").mkdir(exist_ok=True)
         self.colours = vtkLookupTable()
         self.colours.SetNumberOfTableValues(256)
         for i, place in enumerate(np.linspace(0, len(COLOURS) - 1, 256)):

@@ -39,7 +39,7 @@ Results: ./GermicidalRoom-output: Surfaces.csv, Air.csv, Dose.vtm, GermicidalRoo
 GROUPS = "robot", "upper"
 # J/m2 for a tenfold reduction, by what was measured, and taken as exponential.
 GERMS = {
-    "SARS-CoV-2": 37 / 3,  # 3.7 mJ/cm2: 3 decades (Bianco et al. 2021)
+    "SARS-CoV-2": 37 / 3,  # 3.7 mJ/cm2: 3 decades (Biasin et al. 2021)
     "C. difficile": 220 / 2,  # spores, 22,000 uWs/cm2: 2 decades or more (Nerandzic et al. 2010)
 }
 LIMIT = 60  # J/m2 of 254 nm in 8 hours for eyes and skin (ICNIRP 2004)
@@ -101,12 +101,12 @@ def write_surfaces(file, output):
     for name, whole, parts in doses_of(output):
         # Who survives on a surface is the mean over its cells, not that of the mean dose.
         logs = [-math.log10(max(np.mean(10 ** (-whole / dose)), 1e-99)) for dose in GERMS.values()]
-        rows.append([name, *(f"{value:.4g}" for value in (*map(np.mean, parts), whole.mean(), whole.min(), whole.max())),
-                     *(f"{value:.2f}" for value in logs)])
-        print(f"{name:<12} robot {parts[0].mean():7.1f}, upper {parts[1].mean():6.2f} J/m2; log reduction " +
-              ", ".join(f"{germ} {min(value, 6):.1f}{' or more' if value > 6 else ''}" for germ, value in zip(GERMS, logs)))
+        doses = (*map(np.mean, parts), whole.mean(), whole.min(), whole.max())
+        rows.append([name, *(f"{dose:.4g}" for dose in doses), *(f"{log:.2f}" for log in logs)])
+        print(f"{name:<12} robot {doses[0]:7.1f}, upper {doses[1]:6.2f} J/m2; log reduction " +
+              ", ".join(f"{germ} {min(log, 6):.1f}{' or more' if log > 6 else ''}" for germ, log in zip(GERMS, logs)))
         if name == "face":
-            print(f"             at most {whole.max():.1f} J/m2 on the face: {whole.max() / LIMIT:.1f} of the limit")
+            print(f"             at most {doses[-1]:.1f} J/m2 on the face: {doses[-1] / LIMIT:.1f} of the limit")
     write_table(file, ["surface", *(f"{group}_J_m2" for group in GROUPS), "mean_J_m2", "min_J_m2", "max_J_m2",
                        *(f"log10_{germ}" for germ in GERMS)], rows)
 
@@ -125,24 +125,25 @@ def write_air(file, rates, times):
 def prepare_folder(folder):
     """Makes it, and removes what an earlier run left there."""
     folder.mkdir(parents=True, exist_ok=True)
-    ours = re.compile(r"(Surfaces|Air)\.csv|Dose(_\d+(_\d+)?\.vtp|\.vtm)|GermicidalRoom(_\d{4}|_robot|_upper)?\.(png|ogv)")
+    ours = re.compile(r"(Surfaces|Air)\.csv|Dose(_\d+(_\d+)?\.vtp|\.vtm)|"
+                      r"GermicidalRoom(_\d{4}|_robot|_upper)?\.(png|ogv)")
     for file in folder.rglob("*"):
         if ours.fullmatch(file.name):
             file.unlink()
-    if (folder / "pictures").is_dir():
-        (folder / "pictures").rmdir()
 
 
 def read_options():
     parser = argparse.ArgumentParser(prog="GermicidalRoom")
     parser.format_help = lambda: HELP
     for name, kind, default in (("--walks", int, 500000), ("--frames", int, 41), ("--cell", float, 0.1),
-                                ("--ceiling", float, 0.2), ("--film", float, 0.3), ("--output", Path, Path("GermicidalRoom-output"))):
+                                ("--ceiling", float, 0.2), ("--film", float, 0.3),
+                                ("--output", Path, Path("GermicidalRoom-output"))):
         parser.add_argument(name, type=kind, default=default)
     options = parser.parse_args()
     if options.walks < 1 or options.frames < 3 or options.cell <= 0 or not (
             0 <= options.ceiling <= 0.9 and 0 <= options.film <= 0.9):
-        parser.error("--walks has to be 1 or more, --frames 3 or more, --cell more than 0, --ceiling and --film 0 to 0.9")
+        parser.error("--walks has to be 1 or more, --frames 3 or more, --cell more than 0, "
+                     "--ceiling and --film 0 to 0.9")
     return options
 
 
@@ -179,8 +180,8 @@ def main():
     write_air(options.output / "Air.csv", np.array(rates), times)
     if film:
         film.end()
-        for part, whose in (("", "of both lamps"), ("_robot", "of the robot"), ("_upper", "of the lamp for the upper air")):
-            film.draw(output, "RadiantExposureFront" + part, "J/m2", (0.1, 1e4), f"The dose {whose}, ten minutes",
+        for part, whose in (("", "both lamps"), ("_robot", "the robot"), ("_upper", "the lamp for the upper air")):
+            film.draw(output, "RadiantExposureFront" + part, "J/m2", (0.1, 1e4), f"The dose of {whose}, ten minutes",
                       f"GermicidalRoom{part}.png")
 
     found, expected = rates[0][list(AIR).index("beside the robot"), 0], by_hand()

@@ -16,7 +16,7 @@ from vtkmodules.vtkFiltersSources import vtkCapsuleSource, vtkCylinderSource, vt
 import vtkIrradiance
 
 LENGTH, WIDTH, HEIGHT = 6, 4, 2.7
-PAINT = PLASTIC = 0.05  # "a typical paint or plastic material will absorb about 95% of light at 254 nanometers" (Lumacept)
+PAINT = PLASTIC = 0.05  # "a typical paint or plastic material will absorb about 95 %" (Lumacept)
 STEEL = 0.3
 SKIN = 0.05
 TUBE_POWER, TUBE_LENGTH, TUBE_RADIUS, TUBE_MIDDLE = 30, 1.0, 0.02, 1.3  # W of UV-C, m, m, m above the floor
@@ -112,7 +112,7 @@ def make_bed(x, cell, name):
 
 
 def make_person():
-    """Sits between the curtain and bed B and looks at the curtain. Face and body, so that the face has a dose of its own."""
+    """Sits between the curtain and bed B and looks at the curtain. Face and body: the face has a dose of its own."""
     x, y, z = FACE
     torso = vtkCapsuleSource()
     torso.SetRadius(0.17)
@@ -221,7 +221,8 @@ def make_upper_lamp():
 def make_light(options):
     """The filter with the whole room."""
     room = box((0, 0, 0), (LENGTH, WIDTH, HEIGHT), options.cell, [PAINT] * 5 + [options.ceiling], inward=True)
-    table = join([slab((0.25, 2.1, 0.72), (0.5, 0.4, 0.03), options.cell), slab((0.45, 2.25, 0), (0.1, 0.1, 0.7), 1, STEEL)])
+    table = join([slab((0.25, 2.1, 0.72), (0.5, 0.4, 0.03), options.cell),
+                  slab((0.45, 2.25, 0), (0.1, 0.1, 0.7), 1, STEEL)])
     handle = named(slab((0.55, 0.04, 1.03), (0.14, 0.04, 0.03), 0.02, STEEL), "door handle")
     irradiance = vtkIrradiance.vtkIrradianceFilter()
     for mesh in (named(room, "room"), make_bed(1.4, options.cell, "bed A"), make_bed(4.6, options.cell, "bed B"),
