@@ -143,7 +143,7 @@ struct Material
   }
 
   /// In one band, by cell: what is not absorbed, of panes at most.
-  const std::vector<double>& surviving() const { return total_.empty() ? reflectance : total_; }
+  const std::vector<double>& surviving() const { return hasOtherWays() ? total_ : reflectance; }
 
   double reflectanceOf(std::uint32_t triangle, int band) const
   {
