@@ -45,11 +45,9 @@ struct EngineStatistics : WalkStatistics
 /**
  * The front door of the engine: a scene in, the power received by every cell out.
  *
- * The first frame is shot. A later one is verified and repaired if only dynamic objects changed
- * pose or points, came or went; its sums then equal the sums of a new engine, bit for bit. An
- * object that comes may look different from before, if no walks are stale. All is shot again if
- * lights, materials, static geometry or seed changed, or the number of objects, triangles, walks or
- * replicates.
+ * The first frame is shot. A later one is verified and repaired if dynamic objects moved, came
+ * or went, if objects reflect otherwise, or if there are to be more or fewer walks; its sums then equal
+ * the sums of a new engine, bit for bit. FrameChange tells after which changes all is shot again.
  *
  * With a time budget the repair may end early. Then stalePower() tells what is left, and further
  * calls, with or without motion, continue with it.
@@ -132,7 +130,7 @@ public:
   }
 
 private:
-  /// What is to be done for a frame. Takes over new lights and a new plan.
+  /// What is to be done for a frame, see FrameChange. Takes over new lights and a new plan.
   FrameChange changeTo(
     const SceneObjects& objects, const EngineSettings& settings, Execution& execution);
   /// Whether the stored walks can be repaired, given that the lights are the same.

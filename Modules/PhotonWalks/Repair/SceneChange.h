@@ -9,13 +9,31 @@
 namespace irradiance
 {
 
-/// What the stored walks need to follow to a frame.
+/**
+ * What the stored walks need to follow to a frame. All of the following is an update; the table in
+ * Documentation/Theory.md, section 4, says what each costs. A fresh start is left for
+ *
+ * - other lights, by value: where walks start, and how many of them at each, follows from all lights;
+ * - another seed, another number of replicates or bands: no sample or no power is as before;
+ * - walks that start elsewhere: direct light is gathered instead of shot, or with more samples;
+ * - static cells that reflect otherwise where direct light is gathered: with how much power walks
+ *   start at cells follows from the mean of these;
+ * - other static geometry, another number of dynamic objects, or of the cells or triangles of one
+ *   that is there: stored hits have the numbers of the triangles of before;
+ * - another number of walks where they start at cells, where several sources number theirs one
+ *   after the other, with a target (rounds double the first one), or if their quanta change in
+ *   several bands (powers are rounded at each hit);
+ * - any of these, other than more walks, if the walks of before are not stored;
+ * - cells that are replaced, or another number of walks, while walks are stale: the marks are of the
+ *   old ones;
+ * - other ranks, or walks that are to be on each of them.
+ */
 struct FrameChange
 {
   enum Kind
   {
     Still,   ///< nothing: no walk can have changed
-    Repair,  ///< verification and repair
+    Repair,  ///< verification and repair, and another number of walks
     Replace, ///< likewise, and sums for objects of other cells; no walk has touched these
     Fresh    ///< all are shot again
   };
