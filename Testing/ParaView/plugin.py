@@ -63,6 +63,8 @@ def bits(data):
     found = {}
     for i in range(data.GetFieldData().GetNumberOfArrays()):
         array = data.GetFieldData().GetArray(i)
+        if array is None:  # of texts
+            continue
         if not array.GetName().endswith(("Seconds", "TimeValue")):
             found[array.GetName()] = bytes(memoryview(array))
     for number, leaf in enumerate(leaves(data)):
