@@ -8,6 +8,27 @@
 namespace irradiance
 {
 
+namespace
+{
+
+/// In [0, 1). Of 32 numbers in a row, from a multiple of 32 on, each has a 32nd of its own; what
+/// different keys and other such rows have is independent.
+double evenSample(std::uint64_t number, std::uint64_t key)
+{
+  constexpr int kDigits = 5;
+  constexpr std::uint64_t kRow = (1u << kDigits) - 1;
+  std::uint64_t reversed = 0;
+  for (int digit = 0; digit < kDigits; ++digit)
+  {
+    reversed |= (number >> digit & 1) << (63 - digit);
+  }
+  const std::uint64_t shift = splitMix((number & ~kRow) ^ key) & kRow << (64 - kDigits);
+  const std::uint64_t within = splitMix(splitMix(number) ^ key) >> kDigits;
+  return static_cast<double>(((reversed ^ shift) | within) >> 11) * 0x1p-53;
+}
+
+}
+
 Hit ClearSheets::stop(const Ray& ray, const Hit& closest, const TriangleId& target,
   std::uint64_t number, double end) const
 {
@@ -37,9 +58,7 @@ bool ClearSheets::passes(
   const double cosine = material.isPane(cell)
     ? std::abs(scene.worldTriangle(sheet).areaVector().normalized().dot(direction.normalized()))
     : 1;
-  const std::uint64_t hash =
-    splitMix(number ^ splitMix(std::uint64_t{ sheet.object } << 32 | sheet.triangle));
-  return static_cast<double>(hash >> 11) * 0x1p-53 <
+  return evenSample(number, splitMix(std::uint64_t{ sheet.object } << 32 | sheet.triangle)) <
     material.partOf(Leaving::Straight, cell, cosine)[0];
 }
 

@@ -16,6 +16,8 @@ namespace irradiance
  * does: with the probability that light does. So it arrives or it is stopped, as without sheets.
  * That is a function of the ray's number and of which sheets stand where. So what has not moved and
  * stops a ray goes on to do so; and a ray that arrives does until something comes in its way.
+ *
+ * Rays to the same place have numbers in a row: of those almost exactly the right part passes.
  */
 struct ClearSheets
 {
