@@ -103,11 +103,12 @@ if [[ $part != accuracy ]]; then
   measure BenchmarkGathering "" "20000 2 16 64"
   measure BenchmarkSensors "" "20000 2 200 64 1"
   measure BenchmarkLamps "" "20000 2 4 16 64"
+  measure BenchmarkChanges "" "20000 2"
   measure BenchmarkRanks "" "20000 2"
   measure BenchmarkPhotonStores "" "20000 2 1000"
   measure BenchmarkPython "" "2 20"
   measure BenchmarkParaView "" "20000 3"
-  write_page Performance Benchmark{RayCasting,Shooting,Gathering,Sensors,Lamps,MovingTeapot,Ranks,PhotonStores,Python,ParaView}.csv
+  write_page Performance Benchmark{RayCasting,Shooting,Gathering,Sensors,Lamps,Changes,MovingTeapot,Ranks,PhotonStores,Python,ParaView}.csv
 fi
 if [[ $part != performance ]]; then
   measure BenchmarkMethods "15 $documentation/pictures/DirectLight.png $documentation/pictures/CellsInTheSameTime.png" "2"
