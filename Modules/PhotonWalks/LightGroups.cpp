@@ -89,9 +89,10 @@ void LightGroups::update(const Asked& asked, Execution& execution)
     const auto [group, number] = lit[i];
     const auto count = static_cast<double>(lit.size()), done = static_cast<double>(i);
     ProgressSpan part(execution, done / count, (done + 1) / count);
-    updateLit(
-      asked, number, *group, budget > 0 ? std::max(left / (count - done), kLeast) : 0, part);
-    left -= group->engine->statistics().repairSeconds;
+    const double share = left / (count - done);
+    updateLit(asked, number, *group, budget > 0 ? std::max(share, kLeast) : 0, part);
+    // Processes need the same settings, and have different clocks.
+    left -= execution.ranks().areSeveral() ? share : group->engine->statistics().repairSeconds;
   }
   any_ = lit.front().first->engine;
   isValid_ = true;
