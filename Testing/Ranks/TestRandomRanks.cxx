@@ -84,7 +84,7 @@ TEST(RandomRanks, UpdatesEqualFreshFiltersAlone)
 {
   const std::vector<Operation> operations = SharedOperations();
   Counts counts;
-  ForEachProgram(30, [&](int program, bool isAloud) {
+  ForEachProgram(16, [&](int program, bool isAloud) {
     Trial trial(static_cast<std::uint64_t>(program), counts, Processes::Controller);
     trial.Set().NumberOfWalks += 1000; // two blocks or three, to be shared
     trial.Set().NumberOfOutputWalks = program % 4 == 0 ? ShownWalks::All : 0;
