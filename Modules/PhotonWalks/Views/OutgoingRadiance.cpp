@@ -100,7 +100,7 @@ OutgoingRadiance::Light OutgoingRadiance::lightOf(
         leaving += parts[side] * emitted[i];
         for (const auto& [sums, part] : sentBy(cell, side, i))
         {
-          leaving += parts[side] * part * engine_.irradiance(sums, band);
+          leaving += part > 0 ? parts[side] * part * engine_.irradiance(sums, band) : 0;
         }
       }
     }
