@@ -119,6 +119,11 @@ public:
     forEachLit([&](const LightGroup& group) { all += number(*group.engine); });
     return all;
   }
+  /// How many groups shine; 1 if none does, see forEachLit().
+  std::size_t numberOfLit() const
+  {
+    return count([](const IrradianceEngine&) { return std::size_t{ 1 }; });
+  }
   /// The largest of all groups, see IrradianceEngine.
   double reachedRelativeError() const;
   /// W/m2.

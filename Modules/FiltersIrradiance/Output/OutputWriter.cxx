@@ -233,7 +233,18 @@ struct OutputWriter
           band, [&](const IrradianceEngine& engine) { return engine.staleIrradiance(cell, band); });
       });
     }
-    for (const LightGroup& group : arrays.groups ? groups.all() : std::vector<LightGroup>())
+    if (arrays.groups)
+    {
+      addSideOfGroups(name, add);
+    }
+  }
+
+  /// Likewise of each group alone. `add`: adds an array.
+  template <class Add>
+  void addSideOfGroups(const std::string& name, const Add& add) const
+  {
+    const int bands = scene.bands();
+    for (const LightGroup& group : groups.all())
     {
       const std::string ofGroup = nameOfGroup(name, group.name);
       add(ofGroup, bands, [&](const CellSide& cell, int band) {

@@ -153,8 +153,7 @@ void writeWalks(const WalksRequest& request, const PhotonSource& source,
     request.cell == -1 ? std::nullopt : cellOf(request, source, scene);
   Polylines polylines(source.bands(), groups.any().settings().repairTimeBudget > 0);
   auto left = static_cast<std::size_t>(request.count);
-  std::size_t groupsLeft = 0, before = 0;
-  groups.forEachLit([&](const LightGroup&) { ++groupsLeft; });
+  std::size_t groupsLeft = groups.numberOfLit(), before = 0;
   groups.forEachLit([&](const LightGroup& group) {
     const WalkPaths paths(*group.engine);
     const std::size_t count = left / groupsLeft--;

@@ -68,8 +68,8 @@ public:
   /// How much a point takes of a beam along a vector, in place of the cosine. `density`: of the
   /// samples that the point takes from there, 1/sr; infinite for a light in the air.
   using Part = std::function<double(const Vector3& along, double density)>;
-  /// W/m2 that a point takes, without lights in the same place as its face, or behind sheets. `number` and `share`
-  /// choose the samples: those of all shares of a number are spread evenly together.
+  /// W/m2 that a point takes, without lights in the same place as its face, or behind sheets.
+  /// `number` and `share` choose the samples: those of all shares of a number are spread evenly together.
   Bands taken(
     const LitPoint& point, const Part& part, std::uint64_t number, std::uint32_t share) const;
   /// Of the samples of taken(), 1/sr, towards a place on a lamp; 0 if it is none of these lights,

@@ -403,11 +403,10 @@ void FinalGatherPaths::goOn(const Path& path, const Ray& ray, const Arrival& arr
     return; // all that it sends is known
   }
   const double cosine = material.isPane(cell) ? cosineOf(vertexOf(ray, arrival)) : 1;
-  std::array<Bands, kLeavings> parts;
+  const std::array<Bands, kLeavings> parts = material.partsOf(cell, cosine);
   SurvivalProbabilities survival;
   for (std::size_t way = 0; way < kLeavings; ++way)
   {
-    parts[way] = material.partOf(static_cast<Leaving>(way), cell, cosine);
     survival.ways[way] = reflectedPart(path.weight, parts[way].data(), bands_);
   }
   const double scale = std::max(1.0, survival.total()); // of several bands, see Absorption.h

@@ -21,10 +21,10 @@ namespace irradiance
  * Follows paths that look for the indirect light of some sides of cells, or of single points:
  * backwards along the ways of light. Each begins as a ray from a point of its side, in a direction
  * with the density cos(theta) / pi, and ends where it hits a cell that is read. On any other cell
- * it goes on as a walk does: it survives with probability = reflectance, or transmittance. Lights are
- * looked for through clear sheets, so on these it goes on straight as if there were none. So it does on a cell of
- * which nothing is known, or that is nearer than wide, whose mean says little of the point that is
- * hit: there the lights are asked. What they bring, see PathSums.
+ * it goes on as a walk does: it survives with probability = reflectance, or transmittance. So it
+ * does on a cell of which nothing is known, or that is nearer than wide, whose mean says little of
+ * the point that is hit: there the lights are asked. What they bring, see PathSums. They are asked
+ * through clear sheets, so on these a path goes on straight as if there were none.
  *
  * Owns the memory that this takes: keep one for each thread.
  */

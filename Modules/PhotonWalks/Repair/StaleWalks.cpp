@@ -34,9 +34,9 @@ double largestReflectance(const SceneObjects& objects)
       // More than 1 in all if they are of different bands: then powers may grow. A pane sends most
       // on at grazing incidence.
       double sum = 0;
-      for (std::size_t way = 0; way < kLeavings; ++way)
+      for (const Bands& part : material.partsOf(cell, 0))
       {
-        sum += material.partOf(static_cast<Leaving>(way), cell, 0).largest();
+        sum += part.largest();
       }
       all = std::max(all, sum);
     }

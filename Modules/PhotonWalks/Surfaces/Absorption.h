@@ -60,12 +60,13 @@ inline SurvivalProbabilities survivalProbabilities(
         ? material.reflectance[first]
         : reflectedPart(incoming, &material.reflectance[first], material.bands) } };
   }
+  const std::array<Bands, kLeavings> parts = material.partsOf(cell, cosine);
   SurvivalProbabilities survival;
   for (std::size_t way = 0; way < kLeavings; ++way)
   {
-    const Bands part = material.partOf(static_cast<Leaving>(way), cell, cosine);
-    survival.ways[way] =
-      material.bands == 1 ? part[0] : reflectedPart(incoming, part.data(), material.bands);
+    survival.ways[way] = material.bands == 1
+      ? parts[way][0]
+      : reflectedPart(incoming, parts[way].data(), material.bands);
   }
   const double scale = material.bands == 1 ? 1 : std::max(1.0, survival.total());
   for (double& probability : survival.ways)

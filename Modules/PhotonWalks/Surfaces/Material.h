@@ -7,6 +7,7 @@
 #include "Surfaces/ThinSheet.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -118,28 +119,34 @@ struct Material
   /// Whether cells may do more than to reflect diffusely.
   bool hasOtherWays() const { return isSpecular() || hasSheets(); }
   bool hasSheets() const { return !diffuseTransmittance.empty() || !specularTransmittance.empty(); }
-  /// The part of the light in each band that leaves in a way. `cosine`: of incidence; it matters
-  /// for panes.
-  Bands partOf(Leaving way, std::size_t cell, double cosine) const
+  /// The parts of the light that leave in each way, by band. `cosine`: of incidence; it matters for
+  /// panes.
+  std::array<Bands, kLeavings> partsOf(std::size_t cell, double cosine) const
   {
-    Bands part{};
-    const std::vector<double>& all = way == Leaving::Diffuse ? reflectance
-      : way == Leaving::Specular                             ? specularReflectance
-      : way == Leaving::DiffuseThrough                       ? diffuseTransmittance
-                                                             : specularTransmittance;
-    const bool isOfPane = isPane(cell) && isSharp(way);
-    for (int band = 0; !all.empty() && band < bands; ++band)
+    std::array<Bands, kLeavings> parts{};
+    const std::vector<double>* const arrays[kLeavings] = { &reflectance, &specularReflectance,
+      &diffuseTransmittance, &specularTransmittance };
+    for (int band = 0; band < bands; ++band)
     {
+      const auto i = static_cast<std::size_t>(band);
       const std::size_t slot = slotOf(cell, band);
-      double& value = part[static_cast<std::size_t>(band)];
-      value = all[slot];
-      if (isOfPane)
+      for (std::size_t way = 0; way < kLeavings; ++way)
+      {
+        parts[way][i] = arrays[way]->empty() ? 0 : (*arrays[way])[slot];
+      }
+      if (isPane(cell))
       {
         const PaneLight light = pane(refractiveIndex[cell], internalTransmittance[slot], cosine);
-        value = isThrough(way) ? light.transmitted : light.reflected;
+        parts[static_cast<std::size_t>(Leaving::Specular)][i] = light.reflected;
+        parts[static_cast<std::size_t>(Leaving::Straight)][i] = light.transmitted;
       }
     }
-    return part;
+    return parts;
+  }
+  /// The part that leaves in one way.
+  Bands partOf(Leaving way, std::size_t cell, double cosine) const
+  {
+    return partsOf(cell, cosine)[static_cast<std::size_t>(way)];
   }
 
   /// In one band, by cell: what is not absorbed, of panes at most.

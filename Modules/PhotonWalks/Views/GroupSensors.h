@@ -27,10 +27,9 @@ public:
     stored_.clear();
     replicates_.assign(
       sensors.size(), Replicates(groups.any().walks().plan().replicates().count()));
-    std::size_t lit = 0;
-    groups.forEachLit([&](const LightGroup&) { ++lit; });
+    const auto all = static_cast<double>(groups.numberOfLit());
     groups.forEachLit([&](const LightGroup& group) {
-      const auto done = static_cast<double>(stored_.size()), all = static_cast<double>(lit);
+      const auto done = static_cast<double>(stored_.size());
       ProgressSpan part(execution, done / all, (done + 1) / all);
       stored_.insert(before.extract(group.name));
       StoredSensors& stored = stored_[group.name];

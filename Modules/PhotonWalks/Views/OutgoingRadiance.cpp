@@ -76,7 +76,7 @@ OutgoingRadiance::SentParts OutgoingRadiance::sentBy(
   }
   // Light of both sides together: of a sheet each sends half of all that leaves.
   const double part = material.transmits(cell.cell) ? (reflected + through) / 2 : reflected;
-  return { { { sumsOf(cell, side), part }, {} } };
+  return { { { sumsOf(cell, side), part }, { sumsOf(cell, 1 - side), 0 } } };
 }
 
 OutgoingRadiance::Light OutgoingRadiance::lightOf(
@@ -100,7 +100,7 @@ OutgoingRadiance::Light OutgoingRadiance::lightOf(
         leaving += parts[side] * emitted[i];
         for (const auto& [sums, part] : sentBy(cell, side, i))
         {
-          leaving += part > 0 ? parts[side] * part * engine_.irradiance(sums, band) : 0;
+          leaving += parts[side] * part * engine_.irradiance(sums, band);
         }
       }
     }
