@@ -183,18 +183,13 @@ void WalkStages::decideByPowers(WalkFront& front) const
       continue;
     }
     const TriangleId id = triangles_.idOf(front.hit[i]);
-    const Material& material = materialOf(id.object);
-    const std::uint32_t cell = cellOf(id);
-    const Power incoming = front.powerAt(i, bands());
-    const SurvivalProbabilities survival = survivalProbabilities(incoming, material, cell);
-    const double sample = SobolPoint::toUnit(front.candidate[i]);
-    if (sample < survival.total())
+    const Reflection reflection = reflectionOf(front.powerAt(i, bands()), materialOf(id.object),
+      cellOf(id), SobolPoint::toUnit(front.candidate[i]));
+    if (reflection.survives)
     {
-      const bool isSpecular = survival.isSpecularAt(sample);
       front.survivors[i / WalkFront::kGroup] |= 1u << i % WalkFront::kGroup;
-      front.isSpecular[i] = isSpecular ? 1 : 0;
-      front.setPower(
-        i, bands(), survivingPower(incoming, material, cell, isSpecular, survival.of(isSpecular)));
+      front.isSpecular[i] = reflection.isSpecular ? 1 : 0;
+      front.setPower(i, bands(), reflection.outgoing);
     }
   }
 }

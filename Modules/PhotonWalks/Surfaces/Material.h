@@ -99,19 +99,17 @@ struct Material
       (bands == other.bands && numberOfCells == other.numberOfCells &&
         cellOfTriangle == other.cellOfTriangle && firstCellOfPart == other.firstCellOfPart);
   }
-  /// Whether a cell reflects as that of another material of the same cells does.
-  bool reflectsAs(const Material& other, std::size_t cell) const
+  /// Whether a cell reflects as one of another material with as many bands does.
+  bool reflectsAs(std::size_t cell, const Material& other, std::size_t its) const
   {
-    const auto bandsAt = [&](const std::vector<double>& values) {
-      return values.begin() + static_cast<std::ptrdiff_t>(cell * static_cast<std::size_t>(bands));
-    };
     const auto areSame = [&](const std::vector<double>& a, const std::vector<double>& b) {
-      return std::equal(bandsAt(a), bandsAt(a) + bands, bandsAt(b));
+      const auto first = a.begin() + static_cast<std::ptrdiff_t>(cell) * bands;
+      return std::equal(first, first + bands, b.begin() + static_cast<std::ptrdiff_t>(its) * bands);
     };
-    return areSame(reflectance, other.reflectance) && isSpecular(cell) == other.isSpecular(cell) &&
+    return areSame(reflectance, other.reflectance) && isSpecular(cell) == other.isSpecular(its) &&
       (!isSpecular(cell) ||
         (areSame(specularReflectance, other.specularReflectance) &&
-          phongExponent[cell] == other.phongExponent[cell]));
+          phongExponent[cell] == other.phongExponent[its]));
   }
 
   std::uint32_t partOfCell(std::size_t cell) const
