@@ -148,17 +148,21 @@ FrameChange IrradianceEngine::changeTo(
       walks_.setSources(std::move(sources));
     }
   }
-  const bool replaces = isValid_ && hasReplaced(objects, frame_.objects);
+  const bool hasAsMany = !isValid_ || objects.size() == frame_.objects.size();
+  const SceneObjects aligned = hasAsMany ? SceneObjects() : withAsMany(frame_.objects, objects);
+  const SceneObjects& before = hasAsMany ? frame_.objects : aligned;
+  KeptParts kept = isValid_ ? keptParts(objects, frame_.objects) : KeptParts();
+  const bool replaces = isValid_ && (!kept.areAll() || hasReplaced(objects, before));
   // Within a time budget ranks that all keep all walks would not repair the same ones.
   const bool mayStay = settings.repairTimeBudget == 0;
   const bool all = settings.allOnEachRank || (settings_.allOnEachRank && mayStay);
-  if (!(resizes || (sameLights && samePlan)) || !canRepair(objects, settings) ||
+  if (!(resizes || (sameLights && samePlan)) || !canRepair(objects, before, kept, settings) ||
     !walks_.areOf(execution.ranks(), all) || (replaces && walks_.hasStale()))
   {
     return { FrameChange::Fresh };
   }
-  FrameChange change{ FrameChange::Still, findMoved(objects, frame_.objects),
-    findRepainted(objects, frame_.objects), resizes };
+  FrameChange change{ FrameChange::Still, findMoved(objects, before),
+    findRepainted(objects, before), std::move(kept), resizes };
   const bool forgetsHits = settings_.cacheStaticHits && !settings.cacheStaticHits;
   if (replaces || hasMotion(change.moved) || !change.repainted.empty() || resizes ||
     walks_.staleSums() || forgetsHits)
@@ -168,14 +172,18 @@ FrameChange IrradianceEngine::changeTo(
   return change;
 }
 
-bool IrradianceEngine::canRepair(const SceneObjects& objects, const EngineSettings& settings) const
+bool IrradianceEngine::canRepair(const SceneObjects& objects, const SceneObjects& before,
+  const KeptParts& kept, const EngineSettings& settings) const
 {
   // Rounds of walks that were not stored cannot be taken back.
   const bool mayKeepAll = !objects.dynamicObjects.empty() || settings.targetRelativeError == 0;
   return isValid_ && settings.verify && settings_.verify && mayKeepAll &&
     (!settings.keepPhotons || storesWalks()) && settings.seed == settings_.seed &&
-    hasAllCells(objects, frame_.objects) &&
-    (storesWalks() || findRepainted(objects, frame_.objects).empty());
+    hasAllCells(objects, before) &&
+    (storesWalks() || (kept.areAll() && findRepainted(objects, before).empty())) &&
+    (kept.areAll() ||
+      (kept.isAnyStatic && irradiance::storesWalks(objects, settings) &&
+        !settings.gathersDirectLight));
 }
 
 void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& settings,
@@ -184,6 +192,7 @@ void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& 
   frame_.objects = objects;
   frame_.moved = change.moved;
   frame_.repainted = change.repainted;
+  frame_.kept = change.kept;
   // Walks that are kept for their photons stay: a filter may need them again.
   const bool isFresh = change.kind == FrameChange::Fresh;
   const bool keepsPhotons = settings.keepPhotons || (!isFresh && settings_.keepPhotons);
@@ -206,7 +215,7 @@ void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& 
   walks_.setSettings(walkSettingsOf(settings_));
   if (change.kind == FrameChange::Replace)
   {
-    walks_.replaceCells(frame_.objects, frame_.triangles.numbers(), beginning);
+    walks_.replaceCells(frame_, beginning);
     photons_.reset();
   }
   if (change.resizes)
@@ -240,7 +249,10 @@ void IrradianceEngine::commitScene(Execution& execution)
   scene.setPointSources(walks_.boundsInAir());
   const CancelPoint cancelPoint = cancelPointOf(execution, 0);
   scene.commit(frame_.moved, cancelPoint);
-  frame_.contacts.update(objects(), frame_.moved, frame_.sides, execution);
+  const bool didTouch = !frame_.contacts.isEmpty();
+  frame_.contacts.update(
+    objects(), frame_.kept.areAll() ? frame_.moved : std::vector<bool>(), frame_.sides, execution);
+  frame_.kept.mayTouch = !frame_.kept.areAll() && (didTouch || !frame_.contacts.isEmpty());
   if (settings_.gathersDirectLight)
   {
     frame_.sides.find(objects(), cancelPoint);

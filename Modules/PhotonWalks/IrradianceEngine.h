@@ -45,8 +45,8 @@ struct EngineStatistics : WalkStatistics
 /**
  * The front door of the engine: a scene in, the power received by every cell out.
  *
- * The first frame is shot. A later one is verified and repaired if dynamic objects moved, came
- * or went, if objects reflect otherwise, or if there are to be more or fewer walks; its sums then equal
+ * The first frame is shot. A later one is verified and repaired if objects or static parts moved,
+ * came or went, or reflect otherwise, or if there are to be more or fewer walks; its sums then equal
  * the sums of a new engine, bit for bit. FrameChange tells after which changes all is shot again.
  *
  * With a time budget the repair may end early. Then stalePower() tells what is left, and further
@@ -133,8 +133,10 @@ private:
   /// What is to be done for a frame, see FrameChange. Takes over new lights and a new plan.
   FrameChange changeTo(
     const SceneObjects& objects, const EngineSettings& settings, Execution& execution);
-  /// Whether the stored walks can be repaired, given that the lights are the same.
-  bool canRepair(const SceneObjects& objects, const EngineSettings& settings) const;
+  /// Whether the stored walks can be repaired, given that the lights are the same. `before`: the
+  /// frame of them with as many objects.
+  bool canRepair(const SceneObjects& objects, const SceneObjects& before, const KeptParts& kept,
+    const EngineSettings& settings) const;
   /// Takes over a frame and its settings, and forgets what it makes out of date.
   void adopt(const SceneObjects& objects, const EngineSettings& settings, const FrameChange& change,
     Execution& execution);

@@ -173,6 +173,36 @@ TEST(Pipeline, OtherReflectancesAreARepair)
   }
 }
 
+// Behind the lamp in the list of inputs.
+TEST(Pipeline, InputsThatComeAndGoAreARepair)
+{
+  Scene scene = MakeSmallScene();
+  const Mesh corner = MakeBox(0.8, 0.9, 1.1);
+  const auto filter = MakeFilter(scene, NumberOfWalks);
+  filter->Update();
+  const auto expectRepair = [&](const char* what) {
+    EXPECT_TRUE(UpdatesLikeANewOne(filter, scene)) << what;
+    EXPECT_FALSE(HasShot(filter)) << what;
+    EXPECT_GT(Field(filter, "NumberOfInvalidWalks"), 0) << what;
+    EXPECT_LT(Field(filter, "NumberOfRepairedSegments"), 0.3 * Field(filter, "NumberOfSegments"));
+  };
+  scene.Fixed.push_back(corner);
+  filter->AddInputDataObject(0, corner);
+  expectRepair("it comes");
+  filter->RemoveInputConnection(0, 2);
+  scene.Fixed.pop_back();
+  scene.Moving.push_back(MakeMoving(corner, { 0, 0, 0 }));
+  filter->AddInputDataObject(1, corner);
+  filter->SetDynamicTransform(2, scene.Moving[2].Pose);
+  expectRepair("it may move");
+  scene.Moving[2].Pose->Translate(0.3, 0, 0);
+  expectRepair("it moves");
+  filter->RemoveInputConnection(1, 2);
+  filter->SetDynamicTransform(2, nullptr);
+  scene.Moving.pop_back();
+  expectRepair("it goes");
+}
+
 TEST(Pipeline, EveryOtherChangeIsANewFilter)
 {
   Scene scene = MakeSmallScene();

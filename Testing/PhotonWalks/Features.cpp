@@ -81,6 +81,99 @@ std::function<Film()> resizing(const EngineSettings& settings, int bands)
   };
 }
 
+/// Parts of a room come, go in the midst of others, and become things that move, and back. In the
+/// end one touches the lamp, if `touchesLamp`.
+std::function<Film()> rebuilding(
+  const EngineSettings& settings, int bands, bool touchesLamp = false)
+{
+  return [=] {
+    const Look look = grey(0.6);
+    const SceneObject room = litRoom(3, bands).build(),
+                      cupboard = block({ 0.5, 3, 0.9 }, { 0.3, 0.5, 0.9 }, 2, look, bands),
+                      shelf = block({ 2.5, 2, 0.7 }, { 0.5, 0.4, 0.2 }, 2, look, bands),
+                      lid = block({ 1.8, 2, 2.8 }, { 0.2, 0.2, 0.1 }, 1, look, bands);
+    SceneObject globe = ball({ 3.3, 0.7, 0.5 }, 0.3, 4, look, bands),
+                mover = block({ 2, 1.5, 1.6 }, { 0.3, 0.2, 0.3 }, 1, look, bands);
+    Film film;
+    SceneObjects objects{ nothing(bands), {} };
+    const auto show = [&](const std::vector<SceneObject>& statics,
+                        const std::vector<SceneObject>& dynamics) {
+      objects = { merged(statics, objects.staticObject), dynamics };
+      film.push_back({ objects, settings });
+    };
+    show({ room, cupboard }, { mover });
+    show({ room, cupboard, shelf }, { mover });
+    mover.worldFromObject.translation[1] += 0.4;
+    show({ room, shelf, globe }, { mover });
+    show({ room, shelf }, { mover, globe });
+    globe.worldFromObject.translation[2] += 0.5;
+    show({ room, shelf }, { mover, globe });
+    touchesLamp ? show({ room, lid, globe, shelf }, { mover })
+                : show({ room, globe, shelf }, { mover });
+    show({ room }, { mover });
+    return film;
+  };
+}
+
+/// A random program of all changes.
+std::function<Film()> changing(const EngineSettings& settings, int bands, unsigned seed)
+{
+  return [=] {
+    RandomVectors random(seed);
+    const auto below = [&](std::size_t count) { return random.engine() % count; };
+    const auto newPart = [&] {
+      const Vector3 size(0.1 + 0.1 * double(below(4)), 0.2, 0.1 + 0.1 * double(below(4)));
+      return block(Vector3(2, 2, 1.4) + 1.2 * random.inCube(), size, 1, grey(0.5), bands);
+    };
+    std::vector<SceneObject> statics{ litRoom(3, bands).build(), newPart() }, dynamics{ newPart() };
+    FilmFrame frame{ { nothing(bands), {} }, settings };
+    Film film;
+    for (int step = 0; step < 3 * kFrames; ++step)
+    {
+      frame.objects = { merged(statics, frame.objects.staticObject), dynamics };
+      film.push_back(frame);
+      for (std::size_t changes = 1 + below(2); changes > 0; --changes)
+      {
+        switch (below(7))
+        {
+          case 0:
+            dynamics[below(dynamics.size())].worldFromObject.translation =
+              Vector3(2, 2, 1.4) + 1.2 * random.inCube();
+            break;
+          case 1:
+            paint(statics[below(statics.size())], random);
+            break;
+          case 2:
+            paint(dynamics[below(dynamics.size())], random);
+            break;
+          case 3:
+            statics.insert(
+              statics.begin() + 1 + static_cast<int>(below(statics.size())), newPart());
+            break;
+          case 4:
+            if (statics.size() > 1)
+            {
+              below(2) == 0 ? dynamics.push_back(statics[1]) : void();
+              statics.erase(statics.begin() + 1);
+            }
+            break;
+          case 5:
+            if (dynamics.size() > 1)
+            {
+              statics.push_back(dynamics.back());
+              dynamics.pop_back();
+            }
+            break;
+          default:
+            frame.settings.numberOfWalks =
+              static_cast<std::uint32_t>((1 + 0.5 * double(below(3))) * settings.numberOfWalks);
+        }
+      }
+    }
+    return film;
+  };
+}
+
 /// An object goes from place to place.
 Film going(SceneObjects objects, const EngineSettings& settings, const std::vector<Vector3>& places)
 {
@@ -581,6 +674,18 @@ std::vector<Feature> features()
     { "ResizedInColour", resizing(Shoot(walks).bySide().errors(3), 3), {}, true },
     { "ResizedSpread", resizing(Shoot(few).spread(100).errors(4), 1), {}, true },
     { "ResizedBeforeEyes", resizing(Shoot(scaled(500)).keptByAll(), 1), byAll, true },
+    { "Rebuilt", rebuilding(Shoot(walks).cached(), 1) },
+    { "RebuiltInColour", rebuilding(Shoot(few).bySide().errors(3), 3) },
+    { "RebuiltAtTheLamp", rebuilding(Shoot(walks), 1, true) },
+    { "RebuiltSpread", rebuilding(Shoot(few).spread(100).errors(4), 1) },
+    { "RebuiltTarget", rebuilding(Shoot(few).errors(8).target(0.5, 20000), 1), {}, true },
+    { "RebuiltInGatheredLight", rebuilding(Shoot(few).gathered(), 1), {}, true },
+    { "RebuiltBeforeEyes", rebuilding(Shoot(scaled(500)).keptByAll(), 1), byAll },
+    { "AnyChange", changing(Shoot(few).cached(), 1, 77), {}, true },
+    { "AnyChangeInColour", changing(Shoot(few).bySide().errors(3), 3, 72), {}, true },
+    { "AnyChangeOfSpread", changing(Shoot(few).spread(60), 1, 73), {}, true },
+    { "AnyChangeInGatheredLight", changing(Shoot(scaled(500)).gathered(), 1, 74), {}, true },
+    { "AnyChangeOfFinalGather", changing(Shoot(2000).finalGather(8), 3, 75), {}, true },
     { "ManyMovers", amongMany(24, 0.2, Shoot(walks)) },
     { "ManySmallMovers", amongMany(40, 0.05, Shoot(4 * walks)) },
     { "VeryManyMovers", amongMany(520, 0.04, Shoot(walks)) },

@@ -414,6 +414,49 @@ inline void paint(SceneObject& object, RandomVectors& random, bool isGlossy = fa
   object.material = std::make_shared<const Material>(now);
 }
 
+/// One object of matte parts, as the static one of a filter. What equals `before` is kept.
+inline SceneObject merged(
+  const std::vector<SceneObject>& parts, const SceneObject& before = nothing())
+{
+  std::vector<Triangle> triangles;
+  Material all;
+  Emission emission;
+  all.bands = emission.bands = parts.front().material->bands;
+  for (const SceneObject& part : parts)
+  {
+    const Material& own = *part.material;
+    all.firstCellOfPart.push_back(all.numberOfCells);
+    for (std::size_t i = 0; i < part.mesh().size(); ++i)
+    {
+      triangles.push_back(transformed(part.worldFromObject, part.mesh()[i]));
+      all.cellOfTriangle.push_back(
+        static_cast<std::uint32_t>(all.numberOfCells) + own.cellOfTriangle[i]);
+    }
+    all.numberOfCells += own.numberOfCells;
+    all.reflectance.insert(all.reflectance.end(), own.reflectance.begin(), own.reflectance.end());
+    emission.exitance.resize(all.reflectance.size());
+    if (part.emission)
+    {
+      std::copy_backward(
+        part.emission->exitance.begin(), part.emission->exitance.end(), emission.exitance.end());
+    }
+  }
+  SceneObject object = before;
+  if (object.body->mesh().triangles() != triangles)
+  {
+    object.body = std::make_shared<RigidObject>(TriangleMesh(triangles), CancelPoint(), false);
+  }
+  if (!(*object.material == all))
+  {
+    object.material = std::make_shared<const Material>(std::move(all));
+  }
+  if (!object.emission || !(*object.emission == emission))
+  {
+    object.emission = std::make_shared<const Emission>(std::move(emission));
+  }
+  return object;
+}
+
 }
 
 #endif

@@ -106,6 +106,37 @@ TEST(Ranks, BringTheLightOfLampsWithTablesAndOfASky)
   ExpectBitsOfOne([](vtkIrradianceFilter* filter) { filter->SetMethodToGathered(); }, scene);
 }
 
+// Each finds what changed in its own part of the walks.
+TEST(Ranks, FollowChangesOfAllKinds)
+{
+  const Scene scene = MakeSmallScene();
+  const auto together = MakeFilter(scene, 6000), alone = MakeFilter(scene, 6000);
+  together->SetController(Controller);
+  alone->SetController(nullptr);
+  const Mesh corner = MakeBox(0.8, 0.9, 1.1);
+  const auto forBoth = [&](const auto& change) {
+    change(together.Get());
+    change(alone.Get());
+  };
+  const auto expectUpdate = [&](const char* what, bool shoots) {
+    EXPECT_TRUE(UpdatesLike(together, alone)) << what;
+    EXPECT_EQ(together->GetFigure("ShootSeconds") > 0, shoots) << what;
+  };
+  expectUpdate("first", true);
+  SetCellValues(scene.Fixed[0], "DiffuseReflectance", { 0.6 });
+  expectUpdate("walls are painted", false);
+  forBoth([](vtkIrradianceFilter* filter) { filter->SetNumberOfWalks(9000); });
+  scene.Moving[0].Pose->Translate(0.3, 0, 0);
+  expectUpdate("more walks, and motion", true);
+  forBoth([&](vtkIrradianceFilter* filter) { filter->AddInputDataObject(0, corner); });
+  expectUpdate("a static part comes", false);
+  forBoth([&](vtkIrradianceFilter* filter) {
+    filter->RemoveInputConnection(0, 2);
+    filter->AddInputDataObject(1, corner);
+  });
+  expectUpdate("it may move", false);
+}
+
 TEST(Ranks, ReachATargetTogether)
 {
   ExpectBitsOfOne([](vtkIrradianceFilter* filter) {

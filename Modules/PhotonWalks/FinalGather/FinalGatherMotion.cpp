@@ -50,6 +50,7 @@ std::optional<FinalGatherMotion> FinalGatherMotion::since(
 {
   if (now.seed != before.seed || now.rays != before.rays || now.replicates != before.replicates ||
     now.startCells != before.startCells || now.readCells != before.readCells ||
+    now.objects.staticObject.body != before.objects.staticObject.body ||
     hasReplaced(now.objects, before.objects) || !hasAllCells(now.objects, before.objects) ||
     !findRepainted(now.objects, before.objects).empty() ||
     !areLightsUnchanged(now.objects, before.objects) || !(now.lights == before.lights))

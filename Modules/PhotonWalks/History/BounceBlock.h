@@ -120,6 +120,17 @@ public:
   /// Of all segments, if there is one band.
   void setPower(const Power& power) { power_ = power; }
 
+  /// The hit of a segment is gone: the ray of it escapes, until it is cast again, which every scan
+  /// asks for.
+  void lose(std::uint32_t slot)
+  {
+    record(slot).triangle = kNone;
+    record(slot).walk |= BounceRecord::kContact;
+    std::uint8_t& tag = pageOf(slot).tags[slot % BouncePage::kSize];
+    tag = static_cast<std::uint8_t>((tag & BounceTag::kOpen) | BounceTag::kAlways);
+  }
+  bool isLost(std::uint32_t slot) const { return triangle(slot) == kNone && isContact(slot); }
+
   // From a segment of a walk to its slot, and back.
   /// The first segment of a walk, or kNone.
   std::uint32_t begin(std::uint32_t walk) const

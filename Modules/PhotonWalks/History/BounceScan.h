@@ -61,6 +61,8 @@ public:
     balls_.push_back(ballOnGrid(grid_, bound));
     areSmall_ = areSmall_ || balls_.back().isSmall();
   }
+  /// All segments are flagged.
+  void addAll() { flagsAll_ = true; }
   /// Segments that end on this dynamic object are flagged.
   void addMoved(std::uint32_t object) { tags_.add(BounceTag::kindOf(object)); }
 

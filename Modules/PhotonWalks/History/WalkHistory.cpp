@@ -59,17 +59,19 @@ void WalkHistory::removeLast()
   hidden_.pop_back();
 }
 
-void WalkHistory::renumber(const TriangleNumbers& numbers)
+void WalkHistory::renumber(const TriangleNumbers& numbers, const std::vector<std::uint32_t>& kept)
 {
-  if (numbers == numbers_)
+  if (numbers == numbers_ && kept.empty())
   {
     return;
   }
-  // The numbers of static triangles, which come first, stay; so hidden hits do.
+  // The numbers of static triangles, which come first, stay unless others are told; so hidden hits
+  // do.
   for (BounceBlock& block : blocks_)
   {
-    block.renumber(
-      [&](std::uint32_t triangle) { return numbers.numberOf(numbers_.idOf(triangle)); });
+    block.renumber([&](std::uint32_t triangle) {
+      return kept.empty() ? numbers.numberOf(numbers_.idOf(triangle)) : kept[triangle];
+    });
   }
   numbers_ = numbers;
   makeKinds();

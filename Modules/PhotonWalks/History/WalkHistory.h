@@ -112,7 +112,8 @@ public:
   void append();
   void removeLast();
   /// Changes to other numbers of the same triangles. No stored walk has hit those that are gone.
-  void renumber(const TriangleNumbers& numbers);
+  /// `kept`: by triangle the number that it has now; empty: its object has the same triangles.
+  void renumber(const TriangleNumbers& numbers, const std::vector<std::uint32_t>& kept = {});
 
   /// Sets the kinds of these hits, see BounceColumns; kContact is for the caller to set.
   void setKinds(const std::uint32_t* triangles, std::size_t count, std::uint8_t* kinds) const;

@@ -19,7 +19,7 @@ ChangedReflections::ChangedReflections(const SceneObjects& objects, const Triang
     std::vector<std::uint8_t> changes(now.numberOfCells);
     for (std::size_t cell = 0; before[object] && cell < changes.size(); ++cell)
     {
-      changes[cell] = now.reflectsAs(*before[object], cell) ? 0 : 1;
+      changes[cell] = now.actsAs(cell, *before[object], cell) ? 0 : 1;
     }
     isRepainted_.resize(numbers.first(object));
     std::transform(now.cellOfTriangle.begin(), now.cellOfTriangle.end(),

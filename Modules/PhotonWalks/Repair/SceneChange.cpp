@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Repair/SceneChange.h"
 
+#include <algorithm>
+
 namespace irradiance
 {
 
@@ -39,12 +41,24 @@ bool areLightsUnchanged(const SceneObjects& now, const SceneObjects& before)
     });
 }
 
+SceneObjects withAsMany(SceneObjects before, const SceneObjects& now)
+{
+  before.dynamicObjects.resize(std::min(now.dynamicObjects.size(), before.dynamicObjects.size()));
+  for (std::uint32_t i = before.size(); i < now.size(); ++i)
+  {
+    before.dynamicObjects.push_back(now[i]);
+    before.dynamicObjects.back().isPresent = false;
+  }
+  return before;
+}
+
 bool hasAllCells(const SceneObjects& now, const SceneObjects& before)
 {
-  return now.staticObject.body == before.staticObject.body &&
-    isSameForAll(now, before, [](const SceneObject& a, const SceneObject& b) {
-      return !b.isPresent || hasSameCells(a, b); // no stored walk has hit an absent object
-    });
+  return isSameForAll(now, before, [&](const SceneObject& a, const SceneObject& b) {
+    // No stored walk has hit an absent object.
+    const bool mayDiffer = !b.isPresent || (&b == &before.staticObject && a.body != b.body);
+    return mayDiffer || hasSameCells(a, b);
+  });
 }
 
 bool hasReplaced(const SceneObjects& now, const SceneObjects& before)
@@ -58,7 +72,8 @@ Repainted findRepainted(const SceneObjects& now, const SceneObjects& before)
   bool isAny = false;
   for (std::uint32_t i = 0; i < now.size(); ++i)
   {
-    if (now[i].material != before[i].material && hasSameCells(now[i], before[i]))
+    if (now[i].material != before[i].material && hasSameCells(now[i], before[i]) &&
+      (i > 0 || now[0].body == before[0].body))
     {
       repainted[i] = before[i].material;
       isAny = true;

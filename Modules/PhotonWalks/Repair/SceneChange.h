@@ -13,19 +13,21 @@ namespace irradiance
  * What the stored walks need to follow to a frame. All of the following is an update; the table in
  * Documentation/Theory.md, section 4, says what each costs. A fresh start is left for
  *
- * - other lights, by value: where walks start, and how many of them at each, follows from all lights;
+ * - other lights, by value (the numbers of their cells and triangles too, so a part that comes or
+ *   goes before a lamp): where walks start, and how many of them at each, follows from all lights;
  * - another seed, another number of replicates or bands: no sample or no power is as before;
  * - walks that start elsewhere: direct light is gathered instead of shot, or with more samples;
  * - static cells that reflect otherwise where direct light is gathered: with how much power walks
  *   start at cells follows from the mean of these;
- * - other static geometry, another number of dynamic objects, or of the cells or triangles of one
- *   that is there: stored hits have the numbers of the triangles of before;
+ * - static parts, or dynamic objects in all, that come or go where it is gathered: each of some
+ *   groups of objects has its own walks;
  * - another number of walks where they start at cells, where several sources number theirs one
  *   after the other, with a target (rounds double the first one), or if their quanta change in
  *   several bands (powers are rounded at each hit);
  * - any of these, other than more walks, if the walks of before are not stored;
- * - cells that are replaced, or another number of walks, while walks are stale: the marks are of the
- *   old ones;
+ * - parts that come or go, cells that are replaced, another number of walks, while walks are stale:
+ *   the marks are of the old ones;
+ * - a scene of which no static part is left;
  * - other ranks, or walks that are to be on each of them.
  */
 struct FrameChange
@@ -41,6 +43,7 @@ struct FrameChange
   Kind kind = Fresh;
   std::vector<bool> moved{}; ///< for each dynamic object, see findMoved(); empty if all is fresh
   Repainted repainted{};     ///< see findRepainted(); empty if all is fresh
+  KeptParts kept{};          ///< where parts come or go
   bool resizes = false;      ///< another number of walks; those that were shot and stay are a part
 };
 
@@ -48,16 +51,21 @@ struct FrameChange
 /// not prove that they changed.
 bool areLightsUnchanged(const SceneObjects& now, const SceneObjects& before);
 
-/// Whether two frames differ at most in which dynamic objects are there, in their poses and in
-/// their points, in how cells reflect and emit, and in the cells of objects that were not there
-/// before.
+/// The frame before with as many objects as there are now. Those that have come since were not there,
+/// those that are gone are left out.
+SceneObjects withAsMany(SceneObjects before, const SceneObjects& now);
+
+/// Whether two frames differ at most in the static body, in which dynamic objects are there, in
+/// their poses and in their points, in how cells reflect and emit, and in the cells of objects that
+/// were not there before.
 bool hasAllCells(const SceneObjects& now, const SceneObjects& before);
 
 /// Whether an object has other cells or another number of triangles, or there are more or fewer
 /// objects.
 bool hasReplaced(const SceneObjects& now, const SceneObjects& before);
 
-/// The objects with the same cells in another material. Both frames have as many objects.
+/// The objects with the same cells in another material, but for a static object of another body.
+/// Both frames have as many objects.
 Repainted findRepainted(const SceneObjects& now, const SceneObjects& before);
 
 /// Which dynamic objects have come or gone, or have another pose or other points. Both frames have

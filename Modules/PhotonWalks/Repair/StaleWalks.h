@@ -67,6 +67,9 @@ public:
   void repaint(const SceneObjects& objects, const WalkHistory& history);
 
   bool isEmpty() const;
+  /// Whether static parts came since walks are stale, so that nothing is known of the new hits.
+  bool mayMeetOthers() const { return mayMeetOthers_; }
+  void setMayMeetOthers(bool may) { mayMeetOthers_ = may; }
   std::size_t numberOfBlocks() const { return blocks_.size(); }
   StaleMarks& marks(std::size_t block) { return blocks_[block].marks; }
   const StaleMarks& marks(std::size_t block) const { return blocks_[block].marks; }
@@ -137,6 +140,7 @@ private:
   std::size_t numberOfUnborn_ = 0;
   StalePower unborn_;
   SobolSequence samples_;
+  bool mayMeetOthers_ = false;
   double reflectance_; ///< in all, also let through: the largest of any triangle
 };
 

@@ -265,7 +265,7 @@ void WalkRepair::addMarked(const Unit& unit, StaleWalks& stale, RepairWork& work
     stale.repair(state_.history, *unit.marks[i], deposits);
   }
   stale.take(deposits);
-  state_.verifier.castAgain(places, work.verifier, work.batch.front());
+  state_.verifier.castAgain(places, stale.mayMeetOthers(), work.verifier, work.batch.front());
 }
 
 void WalkRepair::addBorn(const Unit& unit, RepairWork& work) const

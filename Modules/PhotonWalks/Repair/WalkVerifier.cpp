@@ -8,11 +8,12 @@ namespace irradiance
 
 WalkVerifier::WalkVerifier(const WalkTracer& tracer, const WalkHistory& history,
   const std::vector<bool>& moved, const BounceScan& scan, const ChangedReflections& reflections,
-  bool cachesStaticHits)
+  const KeptParts& kept, bool cachesStaticHits)
   : tracer_(tracer)
   , history_(history)
   , scan_(scan)
   , reflections_(reflections)
+  , kept_(kept)
   , cachesStaticHits_(cachesStaticHits)
   , firstDynamic_(history.numbers().objects() > 1 ? history.numbers().first(1) : WalkFront::kNone)
 {
@@ -117,14 +118,14 @@ void WalkVerifier::find(std::size_t first, std::size_t end,
 }
 
 void WalkVerifier::castAgain(
-  const std::vector<SegmentPlace>& places, Memory& memory, WalkFront& stale) const
+  const std::vector<SegmentPlace>& places, bool areLost, Memory& memory, WalkFront& stale) const
 {
   memory.clear();
   memory.reserve(places.size(), history_.bands());
   for (const SegmentPlace& place : places)
   {
-    add(
-      place.block, place.slot, isDynamic(history_.block(place.block).triangle(place.slot)), memory);
+    const std::uint32_t hit = history_.block(place.block).triangle(place.slot);
+    add(place.block, place.slot, areLost || isDynamic(hit), memory);
   }
   cast(memory, true);
   choose(
@@ -160,7 +161,7 @@ void WalkVerifier::sort(std::size_t number, std::vector<std::uint32_t>& slots,
   };
   for (const std::uint32_t slot : slots)
   {
-    if (hasMoved(block.triangle(slot)))
+    if (hasMoved(block.triangle(slot)) || (!kept_.areAll() && block.isLost(slot)))
     {
       noteStale(slot);
     }
@@ -185,7 +186,8 @@ void WalkVerifier::sort(std::size_t number, std::vector<std::uint32_t>& slots,
     if (block.bounceOf(slot) <= firstStale[block.walkOf(slot) - block.firstWalk()] &&
       !isKnown(slot))
     {
-      add(number, slot, hasMoved(block.triangle(slot)), memory);
+      // A static part is not among what moved.
+      add(number, slot, kept_.mayMeetOthers() || hasMoved(block.triangle(slot)), memory);
     }
   }
 }

@@ -26,9 +26,11 @@ class WalkVerifier
 {
 public:
   /// `moved[i]`: the i-th dynamic object has another pose or shape than in the stored frame. `scan`
-  /// flags all segments that these objects may change. `cachesStaticHits`: see HiddenHit.
+  /// flags all segments that these objects may change, or parts that came. `kept`: hits on all other
+  /// parts are lost, see BounceBlock. `cachesStaticHits`: see HiddenHit.
   WalkVerifier(const WalkTracer& tracer, const WalkHistory& history, const std::vector<bool>& moved,
-    const BounceScan& scan, const ChangedReflections& reflections, bool cachesStaticHits);
+    const BounceScan& scan, const ChangedReflections& reflections, const KeptParts& kept,
+    bool cachesStaticHits);
 
   /// The memory of one thread.
   class Memory
@@ -67,8 +69,10 @@ public:
   void find(std::size_t first, std::size_t end, const std::vector<const StaleMarks*>& known,
     Memory& memory, WalkFront& stale) const;
   /// The same for segments that are known to be stale, by block: their hits in the new frame. A hit
-  /// that was found in an earlier frame may have changed since, but the ray has not.
-  void castAgain(const std::vector<SegmentPlace>& places, Memory& memory, WalkFront& stale) const;
+  /// that was found in an earlier frame may have changed since, but the ray has not. `areLost`:
+  /// nothing is known of the hits.
+  void castAgain(
+    const std::vector<SegmentPlace>& places, bool areLost, Memory& memory, WalkFront& stale) const;
   /// The number of segments for which rays were cast so far.
   std::int64_t numberOfSuspects() const { return suspects_; }
 
@@ -105,6 +109,7 @@ private:
   const WalkHistory& history_;
   const BounceScan& scan_;
   const ChangedReflections& reflections_;
+  const KeptParts& kept_;
   bool cachesStaticHits_;
   std::uint32_t firstDynamic_;         ///< triangle
   std::vector<std::uint8_t> hasMoved_; ///< by dynamic triangle

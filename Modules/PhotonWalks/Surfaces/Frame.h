@@ -4,6 +4,7 @@
 
 #include "Scene/Scene.h"
 #include "Surfaces/Contacts.h"
+#include "Surfaces/KeptParts.h"
 #include "Surfaces/ObjectSides.h"
 #include "Surfaces/SceneCells.h"
 #include "Surfaces/SceneObjects.h"
@@ -39,9 +40,10 @@ struct Frame
   /// For each dynamic object, whether it moved since the frame before; empty after a fresh start.
   std::vector<bool> moved;
   Repainted repainted;
+  KeptParts kept; ///< of the frame before
 
   /// Whether stored walks of the frame before may go other ways.
-  bool hasChanged() const { return hasMotion(moved) || !repainted.empty(); }
+  bool hasChanged() const { return hasMotion(moved) || !repainted.empty() || !kept.areAll(); }
 };
 
 }

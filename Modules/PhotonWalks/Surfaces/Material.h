@@ -195,14 +195,20 @@ struct Material
         refractiveIndex == other.refractiveIndex &&
         internalTransmittance == other.internalTransmittance);
   }
-  /// Whether a cell reflects as that of such a material does.
-  bool reflectsAs(const Material& other, std::size_t cell) const
+  /// Whether a cell does with light what one of another material with as many bands does.
+  bool actsAs(std::size_t cell, const Material& other, std::size_t its) const
   {
-    const auto areSame = [&](Leaving way) {
-      return partOf(way, cell, 1) == other.partOf(way, cell, 1);
-    };
-    return areSame(Leaving::Diffuse) && areSame(Leaving::Specular) &&
-      (!isSpecular(cell) || phongExponent[cell] == other.phongExponent[cell]);
+    if (isPane(cell) || other.isPane(its))
+    {
+      const auto first =
+        internalTransmittance.begin() + static_cast<std::ptrdiff_t>(slotOf(cell, 0));
+      return isPane(cell) && other.isPane(its) &&
+        refractiveIndex[cell] == other.refractiveIndex[its] &&
+        std::equal(first, first + bands,
+          other.internalTransmittance.begin() + static_cast<std::ptrdiff_t>(slotOf(its, 0)));
+    }
+    return partsOf(cell, 1) == other.partsOf(its, 1) &&
+      (!isSpecular(cell) || phongExponent[cell] == other.phongExponent[its]);
   }
 
   std::uint32_t partOfCell(std::size_t cell) const

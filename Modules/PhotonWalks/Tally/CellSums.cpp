@@ -76,30 +76,37 @@ CellSums CellSums::ofGathered(const SceneObjects& objects, const WalkPlan& plan,
   return sums;
 }
 
-void CellSums::replace(const SceneObjects& objects, const CancelPoint& cancelPoint)
+void CellSums::replace(const SceneObjects& objects, const std::vector<std::uint32_t>& staticCells,
+  const CancelPoint& cancelPoint)
 {
   CellSums now(objects, plan_, 0, gatherers_, sides_);
   now.areShot_ = areShot_;
   now.setRounds(rounds_, cancelPoint);
-  for (std::size_t round = 0; round < rounds_; ++round)
-  {
-    for (std::uint32_t object = 0; object < objects.size(); ++object)
+  ThrottledCancelPoint pace(cancelPoint);
+  const auto keep = [&](const SceneCell& cell, std::size_t cellNow, std::size_t count) {
+    for (std::size_t round = 0; round < rounds_; ++round)
     {
-      if (now.materials_[object]->hasCellsOf(*materials_[object]))
+      const std::size_t first = slotOf({ cell, 0 }, 0, round);
+      const std::size_t firstNow = now.slotOf({ { cell.object, cellNow }, 0 }, 0, round);
+      const std::size_t size = count * slotsPerCell();
+      areShot_ ? copy(sums_, first, size, now.sums_, firstNow) : void();
+      if (gathers(cell))
       {
-        const std::size_t first = slotOf({ object, 0, 0 }, 0, round);
-        const std::size_t firstNow = now.slotOf({ object, 0, 0 }, 0, round);
-        const std::size_t size = materials_[object]->numberOfCells * slotsPerCell();
-        areShot_ ? copy(sums_, first, size, now.sums_, firstNow) : void();
-        if (gathers({ object, 0 }))
-        {
-          copy(gathered_, gatheredPlace(first), size, now.gathered_, now.gatheredPlace(firstNow));
-        }
+        copy(gathered_, gatheredPlace(first), size, now.gathered_, now.gatheredPlace(firstNow));
       }
-      if (cancelPoint)
-      {
-        cancelPoint();
-      }
+    }
+    pace.step();
+  };
+  for (std::size_t cell = 0; cell < staticCells.size(); ++cell)
+  {
+    staticCells[cell] != 0xffffffffu ? keep({ 0, cell }, staticCells[cell], 1) : void();
+  }
+  const std::size_t both = std::min<std::size_t>(objects.size(), materials_.size());
+  for (std::uint32_t object = staticCells.empty() ? 0 : 1; object < both; ++object)
+  {
+    if (now.materials_[object]->hasCellsOf(*materials_[object]))
+    {
+      keep({ object, 0 }, 0, materials_[object]->numberOfCells);
     }
   }
   *this = std::move(now);

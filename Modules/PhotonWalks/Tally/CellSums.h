@@ -50,8 +50,9 @@ public:
     const SceneObjects& objects, const WalkPlan& plan = {}, std::size_t rounds = 1);
 
   /// Changes to objects of which some have other cells than before. These start with nothing; all
-  /// others keep their sums.
-  void replace(const SceneObjects& objects, const CancelPoint& cancelPoint = {});
+  /// others keep their sums. `staticCells`: see KeptParts.
+  void replace(const SceneObjects& objects, const std::vector<std::uint32_t>& staticCells = {},
+    const CancelPoint& cancelPoint = {});
   /// Makes room for further rounds, or drops the last ones.
   void setRounds(std::size_t rounds, const CancelPoint& cancelPoint = {});
   /// Likewise, for a plan with as many rounds, which differs from the one of before in these alone.

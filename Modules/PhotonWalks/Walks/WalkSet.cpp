@@ -12,6 +12,24 @@
 namespace irradiance
 {
 
+namespace
+{
+
+EnclosingEllipsoid enclose(const Box& box)
+{
+  std::vector<Vector3> corners;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const auto along = [&](int axis) {
+      return (corner >> axis & 1) == 0 ? box.lower[axis] : box.upper[axis];
+    };
+    corners.emplace_back(along(0), along(1), along(2));
+  }
+  return encloseByEllipsoid(corners);
+}
+
+}
+
 void WalkSet::setSettings(const WalkSettings& settings)
 {
   if (settings_.cacheStaticHits && !settings.cacheStaticHits)
@@ -259,13 +277,13 @@ void WalkSet::follow(const Frame& frame, PhotonChanges* changes, Execution& exec
 void WalkSet::followWalks(const std::vector<bool>& moved, const Repainted& repainted,
   const Frame& frame, PhotonChanges* changes, Execution& execution)
 {
-  const bool hasChanged = hasMotion(moved) || !repainted.empty();
+  const bool hasChanged = hasMotion(moved) || !repainted.empty() || !frame.kept.areAll();
   const SobolSequence samples = this->samples();
   const WalkTracer tracer = this->tracer(frame, samples);
   const BounceScan scan = scanOf(moved, frame);
   const ChangedReflections reflections(frame.objects, history_.numbers(), samples, repainted);
   const WalkVerifier verifier(
-    tracer, history_, moved, scan, reflections, settings_.cacheStaticHits);
+    tracer, history_, moved, scan, reflections, frame.kept, settings_.cacheStaticHits);
   repaired_ = {};
   WalkRepair repair({ tracer, verifier, history_, sums_, balance_, *repairs_, changes,
     settings_.listRepaired ? &repaired_ : nullptr });
@@ -277,6 +295,10 @@ void WalkSet::followWalks(const std::vector<bool>& moved, const Repainted& repai
   else if (stale_ && !frame.repainted.empty())
   {
     stale_->repaint(frame.objects, history_);
+  }
+  if (stale_ && stale_->isEmpty())
+  {
+    stale_->setMayMeetOthers(frame.kept.mayMeetOthers());
   }
   // Progress between verification, births and repair.
   const double verified = !hasChanged ? 0 : stale_ ? 0.5 : 1;
@@ -418,6 +440,16 @@ void WalkSet::takeBack(const std::vector<std::uint32_t>& walks, const SceneTrian
 BounceScan WalkSet::scanOf(const std::vector<bool>& moved, const Frame& frame) const
 {
   BounceScan scan(history_.grid());
+  for (const Box& part : frame.kept.added)
+  {
+    const RigidObject& body = *frame.objects.staticObject.body;
+    const double slack = body.tree().slack() / body.tree().frame().scale;
+    scan.addBody({ enclose(part), part, {}, frame.scene.clearance() + slack });
+  }
+  if (frame.kept.mayTouch)
+  {
+    scan.addAll();
+  }
   // What touches a segment's start may lie behind it.
   const double clearance = frame.contacts.hasDynamic() ? frame.scene.clearance() : 0;
   for (std::uint32_t i = 0; i < moved.size(); ++i)
@@ -437,11 +469,35 @@ BounceScan WalkSet::scanOf(const std::vector<bool>& moved, const Frame& frame) c
   return scan;
 }
 
-void WalkSet::replaceCells(
-  const SceneObjects& objects, const TriangleNumbers& numbers, const CancelPoint& cancelPoint)
+void WalkSet::loseHits(const KeptParts& kept, const CancelPoint& cancelPoint)
 {
-  sums_.replace(objects, cancelPoint);
-  history_.renumber(numbers);
+  history_.forgetHiddenHits();
+  for (std::size_t i = 0; i < history_.size(); ++i)
+  {
+    BounceBlock& block = history_.block(i);
+    block.forEach([&](std::uint32_t slot) {
+      if (kept.isGone(block.triangle(slot)))
+      {
+        const Power carried = block.power(slot);
+        balance_.absorbed -= carried;
+        balance_.received -= carried.total();
+        balance_.escaped += carried;
+        block.lose(slot);
+      }
+    });
+    cancelPoint();
+  }
+}
+
+void WalkSet::replaceCells(const SceneObjects& objects, const TriangleNumbers& numbers,
+  const KeptParts& kept, const CancelPoint& cancelPoint)
+{
+  if (!kept.areAll())
+  {
+    loseHits(kept, cancelPoint);
+  }
+  sums_.replace(objects, kept.staticCells, cancelPoint);
+  history_.renumber(numbers, kept.triangles);
   stale_.reset(); // nothing is stale
   areCellsRenumbered_ = source_.isDynamic();
 }

@@ -111,10 +111,10 @@ public:
   /// as far as the budget of time goes. `changes`: receives the photons that go and come; null: not
   /// asked for.
   void follow(const Frame& frame, PhotonChanges* changes, Execution& execution);
-  /// Changes to objects of which some have other cells or triangles. No walk may touch these, or be
-  /// stale.
-  void replaceCells(
-    const SceneObjects& objects, const TriangleNumbers& numbers, const CancelPoint& cancelPoint);
+  /// Changes to objects of which some have other cells or triangles. No walk may be stale, or touch
+  /// these, other than parts that are gone.
+  void replaceCells(const SceneObjects& objects, const TriangleNumbers& numbers,
+    const KeptParts& kept, const CancelPoint& cancelPoint);
   /// Forgets that there was a budget if nothing is stale, and there is none now or the number of
   /// rounds has changed.
   void forgetBudget();
@@ -204,6 +204,8 @@ private:
   /// were shot.
   void followWalks(const std::vector<bool>& moved, const Repainted& repainted, const Frame& frame,
     PhotonChanges* changes, Execution& execution);
+  /// What hit parts that are gone counts as escaped until it is cast again.
+  void loseHits(const KeptParts& kept, const CancelPoint& cancelPoint);
   DirectGather::Totals totals() { return { sums_, balance_, blocks_ }; }
   /// What a motion may change, to be looked for among stored segments.
   BounceScan scanOf(const std::vector<bool>& moved, const Frame& frame) const;

@@ -114,14 +114,14 @@ void WalkSets::follow(const Frame& frame, PhotonChanges* changes, Execution& exe
   sumUp(frame.objects, execution);
 }
 
-void WalkSets::replaceCells(
-  const SceneObjects& objects, const TriangleNumbers& numbers, Execution& execution)
+void WalkSets::replaceCells(const Frame& frame, Execution& execution)
 {
   for (WalkSet& set : sets_)
   {
-    set.replaceCells(objects, numbers, cancelPointOf(execution, 0));
+    set.replaceCells(
+      frame.objects, frame.triangles.numbers(), frame.kept, cancelPointOf(execution, 0));
   }
-  sumUp(objects, execution);
+  sumUp(frame.objects, execution);
 }
 
 void WalkSets::forgetBudget()

@@ -53,8 +53,7 @@ public:
     sets_.front().resize(areStored, frame.triangles, cancelPointOf(execution, 0));
   }
   void shootMissing(bool areStored, const Frame& frame, Execution& execution);
-  void replaceCells(
-    const SceneObjects& objects, const TriangleNumbers& numbers, Execution& execution);
+  void replaceCells(const Frame& frame, Execution& execution);
   void forgetBudget();
 
   /// With the walks of this rank.
