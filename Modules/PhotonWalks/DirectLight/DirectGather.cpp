@@ -92,19 +92,23 @@ void DirectGather::addTo(const Totals& totals, int sign, const CancelPoint& canc
 std::vector<std::uint32_t> DirectGather::follow(
   const Frame& frame, const Totals& totals, Execution& execution)
 {
-  const std::vector<std::uint32_t> samples = light_.follow(frame, execution);
-  for (const std::uint32_t number : samples)
+  const std::vector<DirectLight::Change> changes = light_.follow(frame, execution);
+  for (const auto& [number, passed] : changes)
   {
     const std::size_t cell = plan_.cellOf(number);
     if (totals.dealt.contains(cell))
     {
       const TriangleId id = triangles_.idOf(light_.samples()[number].triangle);
-      const int sign = light_.isVisible(number) ? 1 : -1;
-      count(light_.add(number, cell, totals.sums.cellOf(id), sign, totals.sums, settings_.round),
-        totals.balance);
+      for (const auto& [part, sign] :
+        { std::pair(passed, -1), std::pair(light_.passedTo(number), 1) })
+      {
+        count(light_.add(
+                number, part, cell, totals.sums.cellOf(id), sign, totals.sums, settings_.round),
+          totals.balance);
+      }
     }
   }
-  return starts_.walksOf(samples);
+  return starts_.walksOf(changes);
 }
 
 void DirectGather::count(const Power& power, PowerBalance& balance)

@@ -58,6 +58,23 @@ std::vector<Box> movedBoxes(const Frame& frame)
   return boxes;
 }
 
+bool hasSheets(const SceneObject& object)
+{
+  return object.isPresent && object.material->hasSheets();
+}
+
+bool haveSheetsMoved(const Frame& frame)
+{
+  for (std::uint32_t i = 0; i < frame.moved.size(); ++i)
+  {
+    if (frame.moved[i] && frame.objects.dynamicObjects[i].material->hasSheets())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 }
 
 DirectLight::DirectLight(const CellShapes& cells, const LampPieces& lamps, const DirectPlan& plan,
@@ -75,6 +92,7 @@ void DirectLight::gather(const Frame& frame, Execution& execution)
   const CancelPoint cancelPoint = cancelPointOf(execution, 0);
   samples_.resize(plan_.size()); // all are made below
   assignPaced(views_, plan_.size(), kNever, cancelPoint);
+  makeRoom(frame);
   assignPaced(units_, cells_.size(), 0.0, cancelPoint);
   assignPaced(variances_, cells_.size(), {}, cancelPoint);
   std::vector<std::size_t> firsts{ 0 }; // cells of the units
@@ -107,8 +125,7 @@ void DirectLight::gatherCells(const Frame& frame, std::size_t first, std::size_t
   }
   std::vector<std::uint32_t> numbers(plan_.first(end) - plan_.first(first));
   std::iota(numbers.begin(), numbers.end(), plan_.first(first));
-  const std::vector<View> views = viewsOf(frame, numbers);
-  std::copy(views.begin(), views.end(), views_.begin() + plan_.first(first));
+  look(frame, numbers);
   for (std::size_t cell = first; cell < end; ++cell)
   {
     variances_[cell] = varianceOf(cell);
@@ -131,10 +148,7 @@ Bands DirectLight::varianceOf(std::size_t cell) const
     Bands brought{};
     for (std::uint32_t i = first; i < first + size; ++i)
     {
-      if (isVisible(i))
-      {
-        brought += samples_[i].part * lamps_.lights()[samples_[i].light].flux;
-      }
+      brought += passedTo(i) * samples_[i].part * lamps_.lights()[samples_[i].light].flux;
     }
     all += brought;
     squares += brought * brought;
@@ -157,62 +171,77 @@ Bands DirectLight::variance() const
   return sum;
 }
 
-/// A ray ends where its length is 1.
-std::vector<DirectLight::View> DirectLight::viewsOf(
-  const Frame& frame, const std::vector<std::uint32_t>& samples) const
+void DirectLight::makeRoom(const Frame& frame)
 {
-  std::vector<View> views(samples.size(), kNever);
-  std::vector<Ray> rays;
-  std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < samples.size(); ++i)
+  const auto& movers = frame.objects.dynamicObjects;
+  if (passed_.empty() &&
+    (hasSheets(frame.objects.staticObject) || std::any_of(movers.begin(), movers.end(), hasSheets)))
   {
-    const DirectSample& sample = samples_[samples[i]];
+    passed_.assign(plan_.size(), 1);
+  }
+}
+
+/// A ray ends where its length is 1.
+void DirectLight::look(const Frame& frame, const std::vector<std::uint32_t>& samples)
+{
+  std::vector<Ray> rays;
+  std::vector<std::uint32_t> numbers;
+  for (const std::uint32_t number : samples)
+  {
+    const DirectSample& sample = samples_[number];
     if (sample.part > 0)
     {
       rays.push_back(
         { sample.from, sample.to - sample.from, lamps_.lights()[sample.light].triangle() });
-      places.push_back(i);
+      numbers.push_back(number);
     }
   }
   std::vector<Hit> hits(rays.size());
   frame.scene.cast(rays.data(), rays.size(), hits.data());
   for (std::size_t ray = 0; ray < rays.size(); ++ray)
   {
-    views[places[ray]] = viewOf(frame, samples[places[ray]], rays[ray], hits[ray]);
+    views_[numbers[ray]] = viewOf(frame, numbers[ray], rays[ray], hits[ray]);
   }
-  return views;
 }
 
 DirectLight::View DirectLight::viewOf(
-  const Frame& frame, std::uint32_t number, const Ray& ray, const Hit& closest) const
+  const Frame& frame, std::uint32_t number, const Ray& ray, const Hit& closest)
 {
   const TriangleId cell = frame.triangles.idOf(samples_[number].triangle);
   const Contacts& contacts = frame.contacts;
   const bool isResolved = contacts.has(ray.start) || contacts.has(cell);
   const Hit first = isResolved ? contacts.resolveContact(frame.scene, ray, closest) : closest;
-  const Hit hit = ClearSheets{ frame.objects, frame.scene, &contacts }.stop(
-    ray, first, cell, splitMix(seed_) + number);
+  View free = kFree;
+  Hit hit = first;
+  if (!passed_.empty())
+  {
+    const ClearSheets::Way way =
+      ClearSheets{ frame.objects, frame.scene, &contacts }.follow(ray, first, cell);
+    hit = way.hit;
+    passed_[number] = static_cast<float>(way.passed);
+    free = way.meetsMovers ? kSheets : kFree;
+  }
   if (isResolved)
   {
     const bool mayChange =
       hit.id.isDynamic() || contacts.hasDynamic(ray.start) || contacts.hasDynamic(cell);
-    return hit.id == cell ? kFree : mayChange ? kTouch : kNever;
+    return hit.id == cell ? free : mayChange ? kTouch : kNever;
   }
   // What is hit beyond the end hides nothing.
-  const bool isFree = hit.distance >= 1 || hit.id == cell;
-  return isFree ? kFree : hit.id.object; // of the static one: never
+  return hit.distance >= 1 || hit.id == cell ? free : hit.id.object; // of the static one: never
 }
 
-bool DirectLight::mayChange(
-  const Frame& frame, const std::vector<Box>& boxes, std::uint32_t number) const
+bool DirectLight::mayChange(const Frame& frame, const std::vector<Box>& boxes, bool haveSheetsMoved,
+  std::uint32_t number) const
 {
   const View view = views_[number];
   const DirectSample& sample = samples_[number];
-  if (view == kFree)
+  if (isFree(view))
   {
     // A contact that a motion may have made at either end decides a hit otherwise than before, also
     // far from what moved.
-    return frame.contacts.hasDynamic(lamps_.lights()[sample.light].triangle()) ||
+    return (view == kSheets && haveSheetsMoved) ||
+      frame.contacts.hasDynamic(lamps_.lights()[sample.light].triangle()) ||
       frame.contacts.hasDynamic(frame.triangles.idOf(sample.triangle)) ||
       std::any_of(
         boxes.begin(), boxes.end(), [&](const Box& box) { return mayTouch(sample, box); });
@@ -220,42 +249,44 @@ bool DirectLight::mayChange(
   return view == kTouch || (view != kNever && frame.moved[view - 1]);
 }
 
-std::vector<std::uint32_t> DirectLight::follow(const Frame& frame, Execution& execution)
+std::vector<DirectLight::Change> DirectLight::follow(const Frame& frame, Execution& execution)
 {
+  makeRoom(frame);
   const std::vector<Box> boxes = movedBoxes(frame);
+  const bool sheetsMoved = haveSheetsMoved(frame);
   const auto all = static_cast<std::uint32_t>(samples_.size());
   const std::size_t units = (all + kSamplesTogether - 1) / kSamplesTogether;
-  std::vector<std::vector<std::uint32_t>> flipped(units);
+  std::vector<std::vector<Change>> changes(units);
   forEachSliced(units, execution, [&](std::size_t unit) {
     const auto first = static_cast<std::uint32_t>(unit) * kSamplesTogether;
     std::vector<std::uint32_t> suspects;
+    std::vector<double> before;
     for (std::uint32_t i = first; i < std::min(first + kSamplesTogether, all); ++i)
     {
-      if (mayChange(frame, boxes, i))
+      if (mayChange(frame, boxes, sheetsMoved, i))
       {
         suspects.push_back(i);
+        before.push_back(passedTo(i));
       }
     }
-    const std::vector<View> views = viewsOf(frame, suspects);
+    look(frame, suspects);
     for (std::size_t i = 0; i < suspects.size(); ++i)
     {
-      const bool wasFree = isVisible(suspects[i]);
-      views_[suspects[i]] = views[i];
-      if (isVisible(suspects[i]) != wasFree)
+      if (passedTo(suspects[i]) != before[i])
       {
-        flipped[unit].push_back(suspects[i]);
+        changes[unit].push_back({ suspects[i], before[i] });
       }
     }
   });
-  std::vector<std::uint32_t> together;
-  for (const std::vector<std::uint32_t>& some : flipped)
+  std::vector<Change> together;
+  for (const std::vector<Change>& some : changes)
   {
     together.insert(together.end(), some.begin(), some.end());
   }
   std::size_t last = plan_.numberOfCells();
-  for (const std::uint32_t sample : together)
+  for (const Change& change : together)
   {
-    const std::size_t cell = plan_.cellOf(sample);
+    const std::size_t cell = plan_.cellOf(change.sample);
     if (cell != std::exchange(last, cell))
     {
       variances_[cell] = varianceOf(cell);
@@ -279,10 +310,10 @@ double DirectLight::unitOf(std::size_t cell) const
   return largest > 0 ? std::exp2(std::ilogb(largest * plan_.samplesOf(cell)) - 51) : 1.0;
 }
 
-Power DirectLight::add(std::uint32_t sample, std::size_t number, const SceneCell& cell, int sign,
-  CellSums& sums, std::size_t round) const
+Power DirectLight::add(std::uint32_t sample, double passed, std::size_t number,
+  const SceneCell& cell, int sign, CellSums& sums, std::size_t round) const
 {
-  Bands quanta = quantaOf(samples_[sample]);
+  Bands quanta = passed * quantaOf(samples_[sample]);
   Power power;
   for (std::size_t band = 0; band < quanta.size(); ++band)
   {
@@ -306,7 +337,8 @@ Power DirectLight::addTo(CellSums& sums, std::size_t round, int sign, const Deal
     for (std::uint32_t i = 0; i < plan_.samplesOf(number) && cells.contains(number); ++i)
     {
       const std::uint32_t sample = plan_.first(number) + i;
-      all += isVisible(sample) ? add(sample, number, cell, sign, sums, round) : Power{};
+      const double passed = passedTo(sample);
+      all += passed > 0 ? add(sample, passed, number, cell, sign, sums, round) : Power{};
     }
     pace.step(1 + plan_.samplesOf(number));
     ++number;

@@ -89,9 +89,9 @@ DirectPilot::DirectPilot(const SceneObjects& objects, const LampPieces& lamps)
       for (std::size_t ray = 0; ray < rays.size(); ++ray)
       {
         constexpr double kNear = 1 - 0x1p-20; // the cell's own triangle hides nothing
-        const Hit hit = sheets.stop(rays[ray], hits[ray], {}, splitMix(ray) + cell, kNear);
-        brought[i] += hit.distance >= kNear
-          ? samples[ray].part * lamps.lights()[samples[ray].light].totalFlux()
+        const ClearSheets::Way way = sheets.follow(rays[ray], hits[ray], {}, kNear);
+        brought[i] += way.hit.distance >= kNear
+          ? way.passed * samples[ray].part * lamps.lights()[samples[ray].light].totalFlux()
           : 0;
       }
     }

@@ -68,7 +68,7 @@ using OnCell = std::array<double, 2>;
 
 /// The sum over hits of what is reflected and arrives again, for each of what arrives.
 double returnedOf(const Scene& scene, const Material& material, const Rays& rays, const Hits& hits,
-  std::uint32_t first, std::uint32_t raysOfLight)
+  const std::array<double, kRays>& passed, std::uint32_t first, std::uint32_t raysOfLight)
 {
   Rays onwards;
   std::array<double, kRays> parts{};
@@ -81,7 +81,7 @@ double returnedOf(const Scene& scene, const Material& material, const Rays& rays
       point.turn(point.normal.dot(rays[i].direction) < 0);
       onwards[count] = { point.clearPosition(),
         sampleHemisphere(point.normal, pointOf(first + i, 3)), hits[i].id };
-      parts[count++] = material.keptOf(hits[i].id.triangle);
+      parts[count++] = passed[i] * material.keptOf(hits[i].id.triangle);
     }
   }
   Hits again;
@@ -119,19 +119,22 @@ FirstHits::FirstHits(const SceneObjects& objects, const LightTable& lights)
       const std::uint32_t together = std::min(kRays, end - first);
       const Rays rays = raysFrom(light, first, together);
       Hits hits;
+      std::array<double, kRays> passed{};
       scene.cast(rays.data(), together, hits.data());
       for (std::uint32_t i = 0; i < together; ++i)
       {
-        hits[i] = sheets.stop(rays[i], hits[i], {}, splitMix(first + i), kInfinity);
+        const ClearSheets::Way way = sheets.follow(rays[i], hits[i], {}, kInfinity);
+        hits[i] = way.hit;
+        passed[i] = way.passed;
         if (hits[i])
         {
           near += isNear(scene, hits[i]) ? 1 : 0;
           const Vector3 normal = scene.worldTriangle(hits[i].id).areaVector();
           arrivals_.push_back({ number, hits[i].id.triangle, normal.dot(rays[i].direction) < 0,
-            halfOf(first + i), fluxOfRay });
+            halfOf(first + i), passed[i] * fluxOfRay });
         }
       }
-      returned += fluxOfRay * returnedOf(scene, material, rays, hits, first, together);
+      returned += fluxOfRay * returnedOf(scene, material, rays, hits, passed, first, together);
     }
     nearLights_.push_back(light.surface() && 2 * near > count);
     begin = end;

@@ -3,7 +3,6 @@
 
 #include "Sampling/SobolPoint.h"
 #include "Sampling/WeightChoice.h"
-#include "Surfaces/ClearSheets.h"
 
 #include <algorithm>
 #include <optional>
@@ -201,16 +200,16 @@ std::int64_t PointDirectLight::update(const LitPoint& point, std::uint64_t numbe
       anew.push_back(arrivals[i]);
     }
   }
-  const std::vector<Hit> hits = cast(point, anew);
+  const std::vector<ClearSheets::Way> ways = cast(point, anew);
   for (std::size_t i = 0; i < anew.size(); ++i)
   {
-    rays[changed[i]] = shadowRayOf(anew[i], point, hits[i]);
+    rays[changed[i]] = shadowRayOf(anew[i], point, ways[i]);
   }
   for (std::size_t i = 0; i < arrivals.size(); ++i)
   {
-    if (!rays[i].isStopped)
+    if (rays[i].passed > 0)
     {
-      replicates[arrivals[i].replicate] += broughtBy(arrivals[i]);
+      replicates[arrivals[i].replicate] += 0x1p-24 * rays[i].passed * broughtBy(arrivals[i]);
     }
   }
   return static_cast<std::int64_t>(anew.size());
@@ -241,23 +240,23 @@ Bands PointDirectLight::arriving(
   const LitPoint& point, const std::vector<Arrival>& arrivals, std::vector<ShadowRay>* rays) const
 {
   Bands sum{};
-  const std::vector<Hit> hits = cast(point, arrivals);
+  const std::vector<ClearSheets::Way> ways = cast(point, arrivals);
   for (std::size_t i = 0; i < arrivals.size(); ++i)
   {
-    if (arrives(hits[i], point))
+    if (const double part = arrivingBy(ways[i], point); part > 0)
     {
-      sum += broughtBy(arrivals[i]);
+      sum += part * broughtBy(arrivals[i]);
     }
     if (rays)
     {
-      rays->push_back(shadowRayOf(arrivals[i], point, hits[i]));
+      rays->push_back(shadowRayOf(arrivals[i], point, ways[i]));
     }
   }
   return sum;
 }
 
 /// As for the samples of cells, see DirectLight.
-std::vector<Hit> PointDirectLight::cast(
+std::vector<ClearSheets::Way> PointDirectLight::cast(
   const LitPoint& point, const std::vector<Arrival>& arrivals) const
 {
   std::vector<Ray> rays(arrivals.size());
@@ -274,34 +273,38 @@ std::vector<Hit> PointDirectLight::cast(
     }
   }
   const ClearSheets sheets{ frame_.objects, frame_.scene, &contacts };
+  std::vector<ClearSheets::Way> ways;
   for (std::size_t i = 0; i < rays.size(); ++i)
   {
-    if (arrivals[i].number != 0)
-    {
-      hits[i] = sheets.stop(rays[i], hits[i], point.on, arrivals[i].number);
-    }
+    ways.push_back(arrivals[i].mayPass ? sheets.follow(rays[i], hits[i], point.on)
+                                       : ClearSheets::Way{ hits[i] });
   }
-  return hits;
+  return ways;
 }
 
 /// `hit`: what it meets; on a face with contacts it has to be that face.
-bool PointDirectLight::arrives(const Hit& hit, const LitPoint& point) const
+double PointDirectLight::arrivingBy(const ClearSheets::Way& way, const LitPoint& point) const
 {
-  return (hit && hit.id == point.on) || (hit.distance >= 1 && !frame_.contacts.has(point.on));
+  const bool arrives = (way.hit && way.hit.id == point.on) ||
+    (way.hit.distance >= 1 && !frame_.contacts.has(point.on));
+  return arrives ? way.passed : 0;
 }
 
 ShadowRay PointDirectLight::shadowRayOf(
-  const Arrival& arrival, const LitPoint& point, const Hit& hit) const
+  const Arrival& arrival, const LitPoint& point, const ClearSheets::Way& way) const
 {
-  const bool isStopped = !arrives(hit, point);
+  const Hit& hit = way.hit;
+  const double part = arrivingBy(way, point);
+  const bool isStopped = !(part > 0);
   const Vector3& from = arrival.ray.origin;
   const Vector3 to =
     isStopped && hit ? from + hit.distance * arrival.ray.direction : point.position;
   const Contacts& contacts = frame_.contacts;
   const bool touches = contacts.has(arrival.ray.start) || contacts.has(point.on);
   return { inFloats(from), inFloats(to),
-    isStopped && hit ? frame_.triangles.numberOf(hit.id) : SceneTriangles::kNone, isStopped,
-    contacts.hasDynamic(arrival.ray.start) || contacts.hasDynamic(point.on) ||
+    isStopped && hit ? frame_.triangles.numberOf(hit.id) : SceneTriangles::kNone,
+    static_cast<std::uint32_t>(0x1p24 * part),
+    way.meetsMovers || contacts.hasDynamic(arrival.ray.start) || contacts.hasDynamic(point.on) ||
       contacts.hasDynamic(hit.id) || (touches && isStopped && hit.id.isDynamic()) };
 }
 
@@ -320,7 +323,7 @@ void PointDirectLight::addTouching(const LitPoint& point,
     for (std::size_t replicate = 0; isOn && replicate < replicates; ++replicate)
     {
       arrivals.push_back({ { start.clearPosition(), start.normal, lights()[light].triangle() },
-        light, 1 / (surface.area() * static_cast<double>(replicates)), replicate, 0 });
+        light, 1 / (surface.area() * static_cast<double>(replicates)), replicate, false });
     }
   }
 }
@@ -346,7 +349,7 @@ void PointDirectLight::addSamples(const LitPoint& point, SeenLight::By by, const
     if (perWatt > 0)
     {
       arrivals.push_back({ seen.ray, chosen.light, perWatt, i * replicates / samples_,
-        by == SeenLight::By::Cosine ? splitMix(seed_ ^ splitMix(number)) + i + 1 : 0 });
+        by == SeenLight::By::Cosine });
     }
   }
 }

@@ -4,6 +4,7 @@
 
 #include "DirectLight/LampChoice.h"
 #include "Lights/SeenLight.h"
+#include "Surfaces/ClearSheets.h"
 
 #include <array>
 #include <cstdint>
@@ -25,10 +26,10 @@ inline std::array<float, 3> inFloats(const Vector3& v)
 struct ShadowRay
 {
   std::array<float, 3> from;
-  std::array<float, 3> to; ///< what stops it, or else the point
-  std::uint32_t triangle;  ///< the number of what stops it, or SceneTriangles::kNone
-  bool isStopped : 1;      ///< its light does not arrive
-  bool touchesMover : 1;   ///< what it meets at an end depends on what can move
+  std::array<float, 3> to;        ///< what stops it, or else the point
+  std::uint32_t triangle;         ///< the number of what stops it, or SceneTriangles::kNone
+  std::uint32_t passed : 25;      ///< the part of its light that arrives, in units of 2^-24
+  std::uint32_t touchesMover : 1; ///< what it meets at an end, or passes, depends on what can move
 };
 
 /**
@@ -86,7 +87,7 @@ private:
     std::uint32_t light;
     double perWatt; ///< W/m2 for each W of the light's flux if nothing stands between
     std::size_t replicate;
-    std::uint64_t number; ///< for ClearSheets; 0: they stop it
+    bool mayPass; ///< clear sheets
   };
 
   /// Those that coincide with the point.
@@ -111,9 +112,12 @@ private:
     return arrival.perWatt * lights()[arrival.light].flux;
   }
   /// What arrivals meet.
-  std::vector<Hit> cast(const LitPoint& point, const std::vector<Arrival>& arrivals) const;
-  bool arrives(const Hit& hit, const LitPoint& point) const;
-  ShadowRay shadowRayOf(const Arrival& arrival, const LitPoint& point, const Hit& hit) const;
+  std::vector<ClearSheets::Way> cast(
+    const LitPoint& point, const std::vector<Arrival>& arrivals) const;
+  /// The part of the light.
+  double arrivingBy(const ClearSheets::Way& way, const LitPoint& point) const;
+  ShadowRay shadowRayOf(
+    const Arrival& arrival, const LitPoint& point, const ClearSheets::Way& way) const;
 
   const Frame& frame_;
   std::shared_ptr<const LampPieces> lamps_;

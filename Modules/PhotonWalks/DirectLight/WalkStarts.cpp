@@ -107,24 +107,50 @@ void WalkStarts::numberWalks(const CancelPoint& cancelPoint)
 
 std::size_t WalkStarts::numberBorn() const
 {
-  return std::accumulate(
-    starts_.begin(), starts_.end(), std::size_t{}, [&](std::size_t sum, const Start& start) {
-      return sum + (light_.isVisible(start.sample) ? start.count : 0);
-    });
+  std::size_t number = 0;
+  for (const Start& start : starts_)
+  {
+    const double passed = light_.passedTo(start.sample);
+    for (std::uint32_t walk = start.first; walk < start.first + start.count; ++walk)
+    {
+      number += isBorn(numberOf(start, walk), passed) ? 1 : 0;
+    }
+  }
+  return number;
 }
 
-std::vector<std::uint32_t> WalkStarts::walksOf(const std::vector<std::uint32_t>& samples) const
+double WalkStarts::evenSample(std::uint64_t walk, std::uint64_t seed)
+{
+  constexpr int kDigits = 5;
+  constexpr std::uint64_t kRow = (1u << kDigits) - 1;
+  std::uint64_t reversed = 0;
+  for (int digit = 0; digit < kDigits; ++digit)
+  {
+    reversed |= (walk >> digit & 1) << (63 - digit);
+  }
+  const std::uint64_t shift = splitMix((walk & ~kRow) ^ seed) & kRow << (64 - kDigits);
+  const std::uint64_t within = splitMix(splitMix(walk) ^ seed) >> kDigits;
+  return static_cast<double>(((reversed ^ shift) | within) >> 11) * 0x1p-53;
+}
+
+std::vector<std::uint32_t> WalkStarts::walksOf(
+  const std::vector<DirectLight::Change>& changes) const
 {
   std::vector<std::uint32_t> walks;
-  for (const std::uint32_t sample : samples)
+  for (const auto& [sample, passed] : changes)
   {
+    const double passes = light_.passedTo(sample);
     auto start = std::lower_bound(starts_.begin(), starts_.end(), sample,
       [](const Start& some, std::uint32_t number) { return some.sample < number; });
     for (; start != starts_.end() && start->sample == sample; ++start)
     {
       for (std::uint32_t walk = start->first; walk < start->first + start->count; ++walk)
       {
-        walks.push_back(firstWalk_ + walk * replicates_ + start->replicate);
+        const std::uint32_t number = numberOf(*start, walk);
+        if (isBorn(number, passed) != isBorn(number, passes))
+        {
+          walks.push_back(number);
+        }
       }
     }
   }

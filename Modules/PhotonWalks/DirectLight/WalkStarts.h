@@ -30,7 +30,7 @@ public:
   bool isBorn(std::uint32_t walk) const
   {
     const std::uint32_t start = startOfWalk_[walk - firstWalk_];
-    return start != kNone && light_.isVisible(starts_[start].sample);
+    return start != kNone && isBorn(walk, light_.passedTo(starts_[start].sample));
   }
   /// How many are born.
   std::size_t numberBorn() const;
@@ -39,8 +39,9 @@ public:
   {
     return starts_.size() * sizeof(Start) + startOfWalk_.capacity() * sizeof(std::uint32_t);
   }
-  /// The walks that start from these samples if they see their lights, in order.
-  std::vector<std::uint32_t> walksOf(const std::vector<std::uint32_t>& samples) const;
+  /// The walks that start from these samples now, and did not before, or the other way round; in
+  /// order.
+  std::vector<std::uint32_t> walksOf(const std::vector<DirectLight::Change>& changes) const;
 
   /// Walks that leave the point of a sample alike.
   struct Start
@@ -57,6 +58,18 @@ public:
   const DirectSample& sampleOf(const Start& start) const { return light_.samples()[start.sample]; }
 
 private:
+  /// Of a sample to which a part of the light comes, the same part of the walks: so chance says.
+  bool isBorn(std::uint32_t walk, double passed) const
+  {
+    return passed > 0 && (passed == 1 || evenSample(walk, seed_) < passed);
+  }
+  /// In [0, 1). Of 32 walks in a row, from a multiple of 32 on, each has a 32nd of its own; what
+  /// other such rows and seeds have is independent.
+  static double evenSample(std::uint64_t walk, std::uint64_t seed);
+  std::uint32_t numberOf(const Start& start, std::uint32_t walk) const
+  {
+    return firstWalk_ + walk * replicates_ + start.replicate;
+  }
   void add(std::uint32_t sample, std::uint32_t replicate, const SceneObjects& objects,
     const SceneTriangles& triangles);
   void numberWalks(const CancelPoint& cancelPoint);

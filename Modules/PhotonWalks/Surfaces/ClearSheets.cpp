@@ -1,65 +1,49 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surfaces/ClearSheets.h"
 
-#include "Sampling/SobolPoint.h"
-
+#include <algorithm>
 #include <cmath>
 
 namespace irradiance
 {
 
-namespace
+ClearSheets::Way ClearSheets::follow(
+  const Ray& ray, const Hit& closest, const TriangleId& target, double end) const
 {
-
-/// In [0, 1). Of 32 numbers in a row, from a multiple of 32 on, each has a 32nd of its own; what
-/// different keys and other such rows have is independent.
-double evenSample(std::uint64_t number, std::uint64_t key)
-{
-  constexpr int kDigits = 5;
-  constexpr std::uint64_t kRow = (1u << kDigits) - 1;
-  std::uint64_t reversed = 0;
-  for (int digit = 0; digit < kDigits; ++digit)
+  Way way{ closest };
+  Ray rest = ray;
+  while (way.hit && way.hit.distance < end && way.hit.id != target)
   {
-    reversed |= (number >> digit & 1) << (63 - digit);
+    const TriangleId sheet = way.hit.id;
+    const double part = passing(sheet, ray.direction);
+    if (!(part > 0))
+    {
+      break;
+    }
+    way.passed = std::max(0x1p-24, 0x1p-24 * std::floor(0x1p24 * way.passed * part + 0.5));
+    way.meetsMovers = way.meetsMovers || sheet.isDynamic();
+    const double gone = way.hit.distance;
+    const bool goesToFront = scene.worldTriangle(sheet).areaVector().dot(ray.direction) > 0;
+    rest = { scene.surfaceOf(way.hit, goesToFront).clearPosition(), ray.direction, sheet };
+    way.hit = scene.cast(rest);
+    way.hit = contacts ? contacts->resolveContact(scene, rest, way.hit) : way.hit;
+    way.hit.distance += gone;
   }
-  const std::uint64_t shift = splitMix((number & ~kRow) ^ key) & kRow << (64 - kDigits);
-  const std::uint64_t within = splitMix(splitMix(number) ^ key) >> kDigits;
-  return static_cast<double>(((reversed ^ shift) | within) >> 11) * 0x1p-53;
+  return way;
 }
 
-}
-
-Hit ClearSheets::stop(const Ray& ray, const Hit& closest, const TriangleId& target,
-  std::uint64_t number, double end) const
-{
-  Hit hit = closest;
-  for (Ray rest = ray;
-       hit && hit.distance < end && hit.id != target && passes(hit.id, ray.direction, number);)
-  {
-    const double gone = hit.distance;
-    const bool goesToFront = scene.worldTriangle(hit.id).areaVector().dot(ray.direction) > 0;
-    rest = { scene.surfaceOf(hit, goesToFront).clearPosition(), ray.direction, hit.id };
-    hit = scene.cast(rest);
-    hit = contacts ? contacts->resolveContact(scene, rest, hit) : hit;
-    hit.distance += gone;
-  }
-  return hit;
-}
-
-bool ClearSheets::passes(
-  const TriangleId& sheet, const Vector3& direction, std::uint64_t number) const
+double ClearSheets::passing(const TriangleId& sheet, const Vector3& direction) const
 {
   const Material& material = *objects[sheet.object].material;
   const std::size_t cell = material.hasSheets() ? material.cellOfTriangle[sheet.triangle] : 0;
   if (!material.hasSheets() || !material.isClear(cell))
   {
-    return false;
+    return 0;
   }
   const double cosine = material.isPane(cell)
     ? std::abs(scene.worldTriangle(sheet).areaVector().normalized().dot(direction.normalized()))
     : 1;
-  return evenSample(number, splitMix(std::uint64_t{ sheet.object } << 32 | sheet.triangle)) <
-    material.partOf(Leaving::Straight, cell, cosine)[0];
+  return material.partOf(Leaving::Straight, cell, cosine)[0];
 }
 
 }

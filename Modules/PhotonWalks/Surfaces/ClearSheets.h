@@ -6,32 +6,30 @@
 #include "Surfaces/Contacts.h"
 #include "Surfaces/SceneObjects.h"
 
-#include <cstdint>
-
 namespace irradiance
 {
 
-/**
- * Clear sheets let rays that look for lamps go on straight. At each, chance says whether such a ray
- * does: with the probability that light does. So it arrives or it is stopped, as without sheets.
- * That is a function of the ray's number and of which sheets stand where. So what has not moved and
- * stops a ray goes on to do so; and a ray that arrives does until something comes in its way.
- *
- * Rays to the same place have numbers in a row: of those almost exactly the right part passes.
- */
+/// What is left of the light of a ray that looks for lamps, as clear sheets let it go straight on.
 struct ClearSheets
 {
   const SceneObjects& objects;
   const Scene& scene;
   const Contacts* contacts = nullptr; ///< null: nothing coincides
 
+  /// Where a ray ends, and what clear sheets before leave.
+  struct Way
+  {
+    Hit hit;
+    double passed = 1;        ///< > 0, a multiple of 2^-24
+    bool meetsMovers = false; ///< some of these sheets are dynamic
+  };
   /// What stops a ray before its length is `end`, or is hit then. `closest`: its closest hit;
   /// `target`: where it is to arrive.
-  Hit stop(const Ray& ray, const Hit& closest, const TriangleId& target, std::uint64_t number,
-    double end = 1) const;
+  Way follow(const Ray& ray, const Hit& closest, const TriangleId& target, double end = 1) const;
 
 private:
-  bool passes(const TriangleId& sheet, const Vector3& direction, std::uint64_t number) const;
+  /// The part that goes straight through; 0 if that is no clear sheet.
+  double passing(const TriangleId& sheet, const Vector3& direction) const;
 };
 
 }
