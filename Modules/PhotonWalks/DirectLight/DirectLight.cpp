@@ -198,37 +198,47 @@ void DirectLight::look(const Frame& frame, const std::vector<std::uint32_t>& sam
   }
   std::vector<Hit> hits(rays.size());
   frame.scene.cast(rays.data(), rays.size(), hits.data());
-  for (std::size_t ray = 0; ray < rays.size(); ++ray)
-  {
-    views_[numbers[ray]] = viewOf(frame, numbers[ray], rays[ray], hits[ray]);
-  }
-}
-
-DirectLight::View DirectLight::viewOf(
-  const Frame& frame, std::uint32_t number, const Ray& ray, const Hit& closest)
-{
-  const TriangleId cell = frame.triangles.idOf(samples_[number].triangle);
   const Contacts& contacts = frame.contacts;
-  const bool isResolved = contacts.has(ray.start) || contacts.has(cell);
-  const Hit first = isResolved ? contacts.resolveContact(frame.scene, ray, closest) : closest;
-  View free = kFree;
-  Hit hit = first;
+  const auto cellOf = [&](std::size_t ray) {
+    return frame.triangles.idOf(samples_[numbers[ray]].triangle);
+  };
+  const auto isResolved = [&](std::size_t ray) {
+    return contacts.has(rays[ray].start) || contacts.has(cellOf(ray));
+  };
+  for (std::size_t ray = 0; !contacts.isEmpty() && ray < rays.size(); ++ray)
+  {
+    hits[ray] =
+      isResolved(ray) ? contacts.resolveContact(frame.scene, rays[ray], hits[ray]) : hits[ray];
+  }
+  std::vector<ClearSheets::Way> ways;
   if (!passed_.empty())
   {
-    const ClearSheets::Way way =
-      ClearSheets{ frame.objects, frame.scene, &contacts }.follow(ray, first, cell);
-    hit = way.hit;
-    passed_[number] = static_cast<float>(way.passed);
-    free = way.meetsMovers ? kSheets : kFree;
+    ways = ClearSheets{ frame.objects, frame.scene, &contacts }.follow(
+      rays.data(), hits.data(), hits.size(), cellOf);
   }
-  if (isResolved)
+  for (std::size_t ray = 0; ray < rays.size(); ++ray)
   {
-    const bool mayChange =
-      hit.id.isDynamic() || contacts.hasDynamic(ray.start) || contacts.hasDynamic(cell);
-    return hit.id == cell ? free : mayChange ? kTouch : kNever;
+    const std::uint32_t number = numbers[ray];
+    if (!ways.empty())
+    {
+      hits[ray] = ways[ray].hit;
+      passed_[number] = static_cast<float>(ways[ray].passed);
+    }
+    const View free = !ways.empty() && ways[ray].meetsMovers ? kSheets : kFree;
+    const TriangleId cell = cellOf(ray);
+    const Hit& hit = hits[ray];
+    if (!contacts.isEmpty() && isResolved(ray))
+    {
+      const bool mayChange =
+        hit.id.isDynamic() || contacts.hasDynamic(rays[ray].start) || contacts.hasDynamic(cell);
+      views_[number] = hit.id == cell ? free : mayChange ? kTouch : kNever;
+    }
+    else
+    {
+      // What is hit beyond the end hides nothing. What a static object hides stays so.
+      views_[number] = hit.distance >= 1 || hit.id == cell ? free : hit.id.object;
+    }
   }
-  // What is hit beyond the end hides nothing.
-  return hit.distance >= 1 || hit.id == cell ? free : hit.id.object; // of the static one: never
 }
 
 bool DirectLight::mayChange(const Frame& frame, const std::vector<Box>& boxes, bool haveSheetsMoved,

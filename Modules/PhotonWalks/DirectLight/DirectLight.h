@@ -86,7 +86,6 @@ private:
   void makeRoom(const Frame& frame);
   /// Looks at samples again.
   void look(const Frame& frame, const std::vector<std::uint32_t>& samples);
-  View viewOf(const Frame& frame, std::uint32_t sample, const Ray& ray, const Hit& closest);
 
   const CellShapes& cells_;
   const LampPieces& lamps_;

@@ -55,6 +55,7 @@ DirectPilot::DirectPilot(const SceneObjects& objects, const LampPieces& lamps)
   frame.objects = { someCellsOf(objects.staticObject), {} };
   frame.triangles = SceneTriangles(frame.objects);
   const ClearSheets sheets{ objects, frame.scene };
+  const auto noTarget = [](std::size_t) { return TriangleId{}; };
   const CellShapes cells(frame, 0, 1);
   const DirectPlan plan(cells, lamps, { 1, kMostWalks, { kSamples, kSamples }, 1 });
   std::array<CellSampler, 2> samplers{ CellSampler(cells, frame, lamps, plan, 1),
@@ -86,12 +87,13 @@ DirectPilot::DirectPilot(const SceneObjects& objects, const LampPieces& lamps)
       }
       hits.resize(rays.size());
       frame.scene.cast(rays.data(), rays.size(), hits.data());
+      constexpr double kNear = 1 - 0x1p-20; // the cell's own triangle hides nothing
+      const std::vector<ClearSheets::Way> ways =
+        sheets.follow(rays.data(), hits.data(), hits.size(), noTarget, kNear);
       for (std::size_t ray = 0; ray < rays.size(); ++ray)
       {
-        constexpr double kNear = 1 - 0x1p-20; // the cell's own triangle hides nothing
-        const ClearSheets::Way way = sheets.follow(rays[ray], hits[ray], {}, kNear);
-        brought[i] += way.hit.distance >= kNear
-          ? way.passed * samples[ray].part * lamps.lights()[samples[ray].light].totalFlux()
+        brought[i] += ways[ray].hit.distance >= kNear
+          ? ways[ray].passed * samples[ray].part * lamps.lights()[samples[ray].light].totalFlux()
           : 0;
       }
     }

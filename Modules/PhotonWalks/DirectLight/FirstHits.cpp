@@ -103,6 +103,7 @@ FirstHits::FirstHits(const SceneObjects& objects, const LightTable& lights)
   scene.setStatic(objects.staticObject.body);
   scene.commit({});
   const ClearSheets sheets{ objects, scene };
+  const auto noTarget = [](std::size_t) { return TriangleId{}; };
   // From each light as many, so that each is known to be near or not.
   const auto count = static_cast<std::uint32_t>(
     std::max(kFewestRays, kRaysOfAll / std::max<std::size_t>(1, lights.lights().size())));
@@ -121,11 +122,12 @@ FirstHits::FirstHits(const SceneObjects& objects, const LightTable& lights)
       Hits hits;
       std::array<double, kRays> passed{};
       scene.cast(rays.data(), together, hits.data());
+      const std::vector<ClearSheets::Way> ways =
+        sheets.follow(rays.data(), hits.data(), together, noTarget, kInfinity);
       for (std::uint32_t i = 0; i < together; ++i)
       {
-        const ClearSheets::Way way = sheets.follow(rays[i], hits[i], {}, kInfinity);
-        hits[i] = way.hit;
-        passed[i] = way.passed;
+        hits[i] = ways[i].hit;
+        passed[i] = ways[i].passed;
         if (hits[i])
         {
           near += isNear(scene, hits[i]) ? 1 : 0;

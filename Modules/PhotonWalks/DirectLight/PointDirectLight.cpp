@@ -272,13 +272,15 @@ std::vector<ClearSheets::Way> PointDirectLight::cast(
       hits[i] = contacts.resolveContact(frame_.scene, rays[i], hits[i]);
     }
   }
-  const ClearSheets sheets{ frame_.objects, frame_.scene, &contacts };
-  std::vector<ClearSheets::Way> ways;
-  for (std::size_t i = 0; i < rays.size(); ++i)
+  // All of them may, or none.
+  if (frame_.triangles.hasGlossy() && !arrivals.empty() && arrivals.back().mayPass)
   {
-    ways.push_back(arrivals[i].mayPass ? sheets.follow(rays[i], hits[i], point.on)
-                                       : ClearSheets::Way{ hits[i] });
+    return ClearSheets{ frame_.objects, frame_.scene, &contacts }.follow(
+      rays.data(), hits.data(), hits.size(), [&](std::size_t) { return point.on; });
   }
+  std::vector<ClearSheets::Way> ways(hits.size());
+  std::transform(
+    hits.begin(), hits.end(), ways.begin(), [](const Hit& hit) { return ClearSheets::Way{ hit }; });
   return ways;
 }
 
@@ -323,7 +325,7 @@ void PointDirectLight::addTouching(const LitPoint& point,
     for (std::size_t replicate = 0; isOn && replicate < replicates; ++replicate)
     {
       arrivals.push_back({ { start.clearPosition(), start.normal, lights()[light].triangle() },
-        light, 1 / (surface.area() * static_cast<double>(replicates)), replicate, false });
+        light, 1 / (surface.area() * static_cast<double>(replicates)), replicate, true });
     }
   }
 }

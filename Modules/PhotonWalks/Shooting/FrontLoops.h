@@ -58,7 +58,7 @@ struct FrontLoops
   void (*start)(WalkFront& front, const SobolSequence& samples,
     const std::vector<double>& cumulativeFlux, const std::uint32_t* triangles);
   /// Decides which walks survive by the thresholds of CellLook. Reads walk, bounce and hit; writes
-  /// survivors.
+  /// survivors, and the first coordinates of the samples as candidate.
   void (*survive)(WalkFront& front, SceneRows rows, const SobolSequence& samples);
   /// Draws the samples alone, for the bounces to come. Reads walk and bounce; writes the first
   /// coordinates as candidate.

@@ -97,6 +97,7 @@ void surviveLoop(WalkFront& front, SceneRows rows, const SobolSequence& samples)
   for (std::size_t i = 0; i < front.size; i += kGroup)
   {
     group.drawFirst(samples, SampleUse::Survival, &front.walk[i], &front.bounce[i], 1);
+    std::copy_n(group.x, kGroup, &front.candidate[i]);
     const std::uint32_t* const hits = &front.hit[i];
     for (unsigned lane = 0; lane < kGroup; ++lane) // the tally has just read the same looks
     {

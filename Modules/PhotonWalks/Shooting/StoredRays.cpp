@@ -151,9 +151,12 @@ void StoredRays::findWays(
   }
   for (const std::uint32_t row : sharpRows_)
   {
-    if (isPaneAt(row))
+    const bool isPane = isPaneAt(row);
+    if (isPane || front.leaving[row] == Leaving::Straight)
     {
-      choose(row, stages.cosineOf(front, row, front.start[row], front.side[row] != 0));
+      const bool cameToFront = (front.side[row] != 0) != isThrough(front.leaving[row]);
+      const double cosine = stages.goStraight(front, row, front.start[row], cameToFront);
+      isPane ? choose(row, cosine) : void();
     }
   }
   if (isOnlyOrigins)

@@ -117,6 +117,10 @@ void WalkStages::startAtCells(WalkFront& front) const
     {
       front.leaving[i] = start.leaving;
       setOrigin(front, i, sample.from);
+      if (start.leaving == Leaving::Straight)
+      {
+        goStraight(front, i, sample.triangle, sample.isFront);
+      }
     }
     if (bands() > 1)
     {
@@ -197,9 +201,7 @@ void WalkStages::chooseWays(WalkFront& front) const
     front.leaving[i] = Leaving::Diffuse;
     if (hit != WalkFront::kNone && triangles_.looks()[hit].isGlossy() && (survivors & bit) != 0)
     {
-      const double sample =
-        samples_.sample(front.walk[i], front.bounce[i] + 1, SampleUse::Survival)[0];
-      survivors &= choose(front, i, sample) ? ~0u : ~bit;
+      survivors &= choose(front, i, SobolPoint::toUnit(front.candidate[i])) ? ~0u : ~bit;
     }
   }
 }
@@ -210,8 +212,9 @@ bool WalkStages::choose(WalkFront& front, std::size_t row, double sample) const
   const Material& material = materialOf(id.object);
   const std::uint32_t cell = cellOf(id);
   const Power incoming = front.powerAt(row, bands() > 1 ? bands() : 0);
-  const double cosine =
-    material.isPane(cell) ? cosineOf(front, row, front.hit[row], front.hitSide[row] != 0) : 1;
+  const double cosine = material.transmitsStraight(cell)
+    ? goStraight(front, row, front.hit[row], front.hitSide[row] != 0)
+    : 1;
   const SurvivalProbabilities survival = survivalProbabilities(incoming, material, cell, cosine);
   // In one band the kernel has decided, but for panes.
   if ((bands() > 1 || material.isPane(cell)) && !(sample < survival.total()))
@@ -266,12 +269,14 @@ SurfacePoint WalkStages::pointOf(
   return point;
 }
 
-double WalkStages::cosineOf(
-  const WalkFront& front, std::size_t row, std::uint32_t triangle, bool isFront) const
+double WalkStages::goStraight(
+  WalkFront& front, std::size_t row, std::uint32_t triangle, bool isFront) const
 {
   const SurfacePoint point = pointOf(front, row, triangle, isFront);
-  return -point.normal.dot(
-    incomingDirection(point, { front.originX[row], front.originY[row], front.originZ[row] }));
+  const Vector3 incoming =
+    incomingDirection(point, { front.originX[row], front.originY[row], front.originZ[row] });
+  setDirection(front, row, roundedDirection(incoming, -point.normal));
+  return -point.normal.dot(incoming);
 }
 
 /// Each has a lobe of its own, or goes on as it came.
@@ -279,22 +284,22 @@ std::vector<std::pair<std::size_t, Vector3>> WalkStages::sharpDirections(
   const WalkFront& front) const
 {
   std::vector<std::pair<std::size_t, Vector3>> directions;
+  directions.reserve(triangles_.hasGlossy() ? front.size : 0);
   for (std::size_t i = 0; triangles_.hasGlossy() && i < front.size; ++i)
   {
     if (!isSharp(front.leaving[i]))
     {
       continue;
     }
-    const bool goesStraight = front.leaving[i] == Leaving::Straight;
-    const SurfacePoint point =
-      pointOf(front, i, front.start[i], (front.side[i] != 0) != goesStraight);
-    const Vector3 incoming =
-      incomingDirection(point, { front.originX[i], front.originY[i], front.originZ[i] });
-    if (goesStraight)
+    if (front.leaving[i] == Leaving::Straight)
     {
-      directions.emplace_back(i, roundedDirection(incoming, -point.normal));
+      directions.emplace_back(
+        i, Vector3(front.directionX[i], front.directionY[i], front.directionZ[i]));
       continue;
     }
+    const SurfacePoint point = pointOf(front, i, front.start[i], front.side[i] != 0);
+    const Vector3 incoming =
+      incomingDirection(point, { front.originX[i], front.originY[i], front.originZ[i] });
     const auto sample = [&](SampleUse use) {
       return samples_.sample(front.walk[i], front.bounce[i], use);
     };

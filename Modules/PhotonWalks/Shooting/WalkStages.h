@@ -70,7 +70,8 @@ public:
    * Walks leave the points of `start` that the weights name. Reads walk, bounce, start, weights and
    * side. Writes the ray. Of a stored segment the hit and the side that was left are `start`,
    * weights and side of the segment after it, which has one bounce more. Where cells are glossy it
-   * also reads leaving, and for walks that leave sharply the origin of the ray that came.
+   * also reads leaving, for walks that leave along a lobe the origin of the ray that came, and for
+   * those that go straight on the direction, see goStraight().
    */
   void leave(WalkFront& front) const;
 
@@ -92,9 +93,9 @@ public:
   /// incidence; matters for panes.
   Leaving leavingOf(const TriangleId& hit, std::uint32_t walk, std::uint32_t bounce,
     const Power& incoming, double cosine) const;
-  /// Of the row of a front: what hits `triangle` on a side, at the place that the weights name.
-  double cosineOf(
-    const WalkFront& front, std::size_t row, std::uint32_t triangle, bool isFront) const;
+  /// Gives a row of a front the direction in which it hits `triangle` on a side, at the place that
+  /// the weights name. Reads the origin of the ray that came. Returns the cosine of incidence.
+  double goStraight(WalkFront& front, std::size_t row, std::uint32_t triangle, bool isFront) const;
 
 private:
   /// Where a row is on a triangle, on one of its sides.

@@ -3,33 +3,51 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace irradiance
 {
 
-ClearSheets::Way ClearSheets::follow(
-  const Ray& ray, const Hit& closest, const TriangleId& target, double end) const
+std::vector<ClearSheets::Way> ClearSheets::follow(const Ray* rays, const Hit* closest,
+  std::size_t count, const std::function<TriangleId(std::size_t)>& targetOf, double end) const
 {
-  Way way{ closest };
-  Ray rest = ray;
-  while (way.hit && way.hit.distance < end && way.hit.id != target)
+  std::vector<Way> ways(count);
+  std::transform(closest, closest + count, ways.begin(), [](const Hit& hit) { return Way{ hit }; });
+  std::vector<std::size_t> open(count);
+  std::iota(open.begin(), open.end(), std::size_t{});
+  while (!open.empty())
   {
-    const TriangleId sheet = way.hit.id;
-    const double part = passing(sheet, ray.direction);
-    if (!(part > 0))
+    std::vector<Ray> rests;
+    std::vector<std::size_t> goOn;
+    for (const std::size_t i : open)
     {
-      break;
+      Way& way = ways[i];
+      const Vector3& along = rays[i].direction;
+      const bool isOnTheWay = way.hit && way.hit.distance < end && way.hit.id != targetOf(i);
+      const double part = isOnTheWay ? passing(way.hit.id, along) : 0;
+      if (part > 0)
+      {
+        way.passed = std::max(0x1p-24, 0x1p-24 * std::floor(0x1p24 * way.passed * part + 0.5));
+        way.meetsMovers = way.meetsMovers || way.hit.id.isDynamic();
+        const bool goesToFront = scene.worldTriangle(way.hit.id).areaVector().dot(along) > 0;
+        rests.push_back(
+          { scene.surfaceOf(way.hit, goesToFront).clearPosition(), along, way.hit.id });
+        goOn.push_back(i);
+      }
     }
-    way.passed = std::max(0x1p-24, 0x1p-24 * std::floor(0x1p24 * way.passed * part + 0.5));
-    way.meetsMovers = way.meetsMovers || sheet.isDynamic();
-    const double gone = way.hit.distance;
-    const bool goesToFront = scene.worldTriangle(sheet).areaVector().dot(ray.direction) > 0;
-    rest = { scene.surfaceOf(way.hit, goesToFront).clearPosition(), ray.direction, sheet };
-    way.hit = scene.cast(rest);
-    way.hit = contacts ? contacts->resolveContact(scene, rest, way.hit) : way.hit;
-    way.hit.distance += gone;
+    std::vector<Hit> next(rests.size());
+    scene.cast(rests.data(), rests.size(), next.data());
+    for (std::size_t i = 0; i < next.size(); ++i)
+    {
+      Hit& hit = ways[goOn[i]].hit;
+      const double gone = hit.distance;
+      hit = contacts ? contacts->resolveContact(scene, rests[i], next[i]) : next[i];
+      hit.distance += gone;
+    }
+    open = std::move(goOn);
   }
-  return way;
+  return ways;
 }
 
 double ClearSheets::passing(const TriangleId& sheet, const Vector3& direction) const

@@ -6,6 +6,9 @@
 #include "Surfaces/Contacts.h"
 #include "Surfaces/SceneObjects.h"
 
+#include <functional>
+#include <vector>
+
 namespace irradiance
 {
 
@@ -23,9 +26,10 @@ struct ClearSheets
     double passed = 1;        ///< > 0, a multiple of 2^-24
     bool meetsMovers = false; ///< some of these sheets are dynamic
   };
-  /// What stops a ray before its length is `end`, or is hit then. `closest`: its closest hit;
-  /// `target`: where it is to arrive.
-  Way follow(const Ray& ray, const Hit& closest, const TriangleId& target, double end = 1) const;
+  /// What stops each ray before its length is `end`, or is hit then. `closest`: their closest hits;
+  /// `targetOf`: by place, where it is to arrive.
+  std::vector<Way> follow(const Ray* rays, const Hit* closest, std::size_t count,
+    const std::function<TriangleId(std::size_t)>& targetOf, double end = 1) const;
 
 private:
   /// The part that goes straight through; 0 if that is no clear sheet.
