@@ -376,7 +376,8 @@ void FinalGatherPaths::askLights(const Path& path, const PathVertex& at, const A
         { back.clearPosition(), back.normal, at.point.on }, splitMix(number + 1), shadows);
     }
   }
-  const Bands through = material.partOf(Leaving::DiffuseThrough, arrival.side.cell, 1) * behind;
+  const Bands through =
+    asksThrough ? material.partOf(Leaving::DiffuseThrough, arrival.side.cell, 1) * behind : Bands{};
   if (arrival.lobe)
   {
     onLobe = lobeLight(*scene_, at, *arrival.lobe, splitMix(number), 0);
@@ -405,14 +406,14 @@ void FinalGatherPaths::goOn(const Path& path, const Ray& ray, const Arrival& arr
   const double cosine = material.isPane(cell) ? cosineOf(vertexOf(ray, arrival)) : 1;
   const std::array<Bands, kLeavings> parts = material.partsOf(cell, cosine);
   SurvivalProbabilities survival;
-  for (std::size_t way = 0; way < kLeavings; ++way)
+  for (std::size_t way = 0; way < (material.hasOtherWays() ? kLeavings : 1); ++way)
   {
     survival.ways[way] = reflectedPart(path.weight, parts[way].data(), bands_);
   }
-  const double scale = std::max(1.0, survival.total()); // of several bands, see Absorption.h
-  for (double& probability : survival.ways)
+  const double sum = survival.total();
+  for (std::size_t way = 0; sum > 1 && way < kLeavings; ++way) // several bands, see Absorption.h
   {
-    probability /= scale;
+    survival.ways[way] /= sum;
   }
   const double chance = sampleOf(path.seed, path.number, bounce_, Use::Survival)[0];
   if (!(chance < survival.total()))

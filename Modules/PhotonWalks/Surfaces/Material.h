@@ -130,7 +130,7 @@ struct Material
     {
       const auto i = static_cast<std::size_t>(band);
       const std::size_t slot = slotOf(cell, band);
-      for (std::size_t way = 0; way < kLeavings; ++way)
+      for (std::size_t way = 0; way < (hasOtherWays() ? kLeavings : 1); ++way)
       {
         parts[way][i] = arrays[way]->empty() ? 0 : (*arrays[way])[slot];
       }
