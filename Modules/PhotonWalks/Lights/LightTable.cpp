@@ -25,8 +25,8 @@ std::vector<std::shared_ptr<const IntensityDistribution>> distributionsOf(const 
 
 }
 
-LightTable::LightTable(const SceneObjects& objects, std::uint64_t numberOfWalks,
-  const LightWalls& walls, std::uint32_t group)
+LightTable::LightTable(
+  const SceneObjects& objects, std::uint64_t numberOfWalks, const LightWalls& walls)
 {
   constexpr std::uint64_t kMostQuanta = std::uint64_t{ 1 } << 46;
   while (2 * static_cast<std::uint64_t>(quantaPerWalk_) * numberOfWalks <= kMostQuanta)
@@ -38,11 +38,11 @@ LightTable::LightTable(const SceneObjects& objects, std::uint64_t numberOfWalks,
     if (objects[object].isPresent && objects[object].emits())
     {
       const Distributions luminaires = distributionsOf(objects[object]);
-      addAreas(objects, object, luminaires, group);
-      addPoints(objects, object, walls, luminaires, group);
+      addAreas(objects[object], object, luminaires);
+      addPoints(objects[object], object, walls, luminaires);
     }
   }
-  if (objects.sky && group == 0)
+  if (objects.sky)
   {
     addSky(*objects.sky);
   }
@@ -82,16 +82,15 @@ void LightTable::setQuantaPerWalk(std::int64_t quanta)
   }
 }
 
-void LightTable::addAreas(const SceneObjects& objects, std::uint32_t number,
-  const Distributions& luminaires, std::uint32_t group)
+void LightTable::addAreas(
+  const SceneObject& object, std::uint32_t number, const Distributions& luminaires)
 {
-  const SceneObject& object = objects[number];
   const TriangleMesh& mesh = object.mesh();
   const Emission& emission = *object.emission;
   for (std::uint32_t i = 0; i < mesh.size() && !emission.exitance.empty(); ++i)
   {
     const std::uint32_t cell = object.material->cellOfTriangle[i];
-    if (!emission.hasExitance(cell) || emission.groupOf(cell) != group)
+    if (!emission.hasExitance(cell))
     {
       continue;
     }
@@ -113,23 +112,20 @@ void LightTable::addAreas(const SceneObjects& objects, std::uint32_t number,
   }
 }
 
-void LightTable::addPoints(const SceneObjects& objects, std::uint32_t number,
-  const LightWalls& walls, const Distributions& luminaires, std::uint32_t group)
+void LightTable::addPoints(const SceneObject& object, std::uint32_t number, const LightWalls& walls,
+  const Distributions& luminaires)
 {
-  const SceneObject& object = objects[number];
-  const std::vector<PointSource>& sources = object.emission->points;
-  for (std::size_t i = 0; i < sources.size(); ++i)
+  const Emission& emission = *object.emission;
+  for (std::size_t i = 0; i < emission.points.size(); ++i)
   {
-    const bool isLuminaire = object.emission->luminaireOf(sources[i].cell) != nullptr;
-    Light light({ number, sources[i].cell },
-      PointLight(object.worldFromObject(sources[i].position),
+    const PointSource& source = emission.points[i];
+    Light light({ number, source.cell },
+      PointLight(object.worldFromObject(source.position),
         walls.empty() ? std::vector<Wall>() : walls[number][i],
-        isLuminaire ? luminaires[object.emission->luminaireOfCell[sources[i].cell]] : nullptr));
-    std::copy(sources[i].flux.begin(), sources[i].flux.end(), light.flux.begin());
-    if (object.emission->groupOf(light.cell.cell) == group)
-    {
-      add(light);
-    }
+        emission.luminaireOf(source.cell) ? luminaires[emission.luminaireOfCell[source.cell]]
+                                          : nullptr));
+    std::copy(source.flux.begin(), source.flux.end(), light.flux.begin());
+    add(light);
   }
 }
 

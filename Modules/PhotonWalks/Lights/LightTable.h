@@ -11,18 +11,15 @@
 namespace irradiance
 {
 
-/**
- * The lights of one group in a frame. Every walk carries the same share of the total flux; which
- * light it starts from is sampled in proportion to flux.
- */
+/// The lights of a frame. Every walk carries the same share of the total flux; which light it starts
+/// from is sampled in proportion to flux.
 class LightTable
 {
 public:
   LightTable() = default;
-  /// `group`: see Emission::groups. Throws std::runtime_error for a light to which walls leave no
-  /// side.
-  LightTable(const SceneObjects& objects, std::uint64_t numberOfWalks, const LightWalls& walls = {},
-    std::uint32_t group = 0);
+  /// Throws std::runtime_error for a light to which walls leave no side.
+  LightTable(
+    const SceneObjects& objects, std::uint64_t numberOfWalks, const LightWalls& walls = {});
 
   /// Those lights alone for which `chosen` holds, with the same quanta.
   LightTable only(const std::vector<bool>& chosen) const;
@@ -62,10 +59,9 @@ public:
 private:
   /// Of the luminaires of an object.
   using Distributions = std::vector<std::shared_ptr<const IntensityDistribution>>;
-  void addAreas(const SceneObjects& objects, std::uint32_t object, const Distributions& luminaires,
-    std::uint32_t group);
-  void addPoints(const SceneObjects& objects, std::uint32_t object, const LightWalls& walls,
-    const Distributions& luminaires, std::uint32_t group);
+  void addAreas(const SceneObject& object, std::uint32_t number, const Distributions& luminaires);
+  void addPoints(const SceneObject& object, std::uint32_t number, const LightWalls& walls,
+    const Distributions& luminaires);
   void addSky(const Sky& sky);
   void add(const Light& light);
 

@@ -14,20 +14,6 @@ namespace irradiance
 namespace
 {
 
-std::uint32_t numberOfGroups(const SceneObjects& objects)
-{
-  std::uint32_t groups = 1;
-  for (std::uint32_t i = 0; i < objects.size(); ++i)
-  {
-    if (objects[i].emits() && !objects[i].emission->groups.empty())
-    {
-      const std::vector<std::uint32_t>& some = objects[i].emission->groups;
-      groups = std::max(groups, *std::max_element(some.begin(), some.end()) + 1);
-    }
-  }
-  return groups;
-}
-
 /// The sky of a table, or all else.
 LightTable partOf(const LightTable& table, bool isSky)
 {
@@ -74,32 +60,25 @@ void deal(std::vector<WalkSource>& sources, const WalkPlan& plan, double atLight
 std::vector<WalkSource> sourcesOf(
   const SceneObjects& objects, const WalkPlan& plan, const LightWalls& walls)
 {
+  // A class is worth a few walks of each replicate, of enough quanta.
+  constexpr double kFewestWalks = 4;
+  const double walks = plan.walksAfter(1) / (kFewestWalks * plan.replicates().count());
+  const LightTable lights(objects, plan.most(), walls);
   std::vector<WalkSource> sources;
   bool haveClasses = false;
-  for (std::uint32_t group = 0; group < numberOfGroups(objects); ++group)
+  for (const bool isSky : { false, true })
   {
-    const LightTable lights(objects, plan.most(), walls, group);
-    if (lights.isEmpty())
+    const LightTable part = partOf(lights, isSky);
+    if (part.isEmpty())
     {
       continue;
     }
-    // A class is worth a few walks of each replicate, of enough quanta.
-    constexpr double kFewestWalks = 4;
-    const double walks = plan.walksAfter(1) / (kFewestWalks * plan.replicates().count());
-    for (const bool isSky : { false, true })
+    std::vector<LightTable> classes = powerClassesOf(
+      part, objects, kFewestQuanta / (static_cast<double>(part.quantaPerWalk()) * walks));
+    haveClasses = haveClasses || classes.size() > 1;
+    for (LightTable& some : classes)
     {
-      const LightTable part = partOf(lights, isSky);
-      if (part.isEmpty())
-      {
-        continue;
-      }
-      std::vector<LightTable> classes = powerClassesOf(
-        part, objects, kFewestQuanta / (static_cast<double>(part.quantaPerWalk()) * walks));
-      haveClasses = haveClasses || classes.size() > 1;
-      for (LightTable& some : classes)
-      {
-        sources.push_back({ std::move(some), plan });
-      }
+      sources.push_back({ std::move(some), plan });
     }
   }
   if (sources.empty())

@@ -65,8 +65,8 @@ struct WalkSource
 };
 
 /**
- * A source for each group of lights that shines (see Emission::groups), and in it for each class of
- * power, see powerClassesOf(); one without lights if none does.
+ * A source for the sky and for all other lights, and of these for each class of power, see
+ * powerClassesOf(); one without lights if nothing shines.
  *
  * A single one has all walks of the plan. Several share them by flux, of classes half of them
  * alike, and number them one source after the other. Their shares are rounded: to walks that all
