@@ -18,20 +18,6 @@ namespace irradiance
 namespace
 {
 
-/// Of the walks that these settings ask for.
-WalkSettings walkSettingsOf(const EngineSettings& settings)
-{
-  WalkSettings walks = settings;
-  walks.fewestSamples = settings.fewestOfCells();
-  return walks;
-}
-
-/// Whether the same estimator does for both.
-bool haveSameEstimator(const EngineSettings& a, const EngineSettings& b)
-{
-  return isSameEstimate(a, b) && a.seed == b.seed && a.verify == b.verify;
-}
-
 /// Of all settings that change results.
 std::uint64_t hashOf(const EngineSettings& settings)
 {
@@ -77,7 +63,8 @@ EngineSettings IrradianceEngine::chosen(const LeftToScene& left, const SceneObje
     const CancelPoint cancelPoint = cancelPointOf(execution, 0);
     cellsToChoose_.update(objects, cancelPoint);
     const auto survey = [&]() -> const LightSurvey& {
-      return lights_.survey(objects, WalkSets::planOf(settings), frame_.sides, cancelPoint);
+      lights_.update(objects, WalkSets::planOf(settings), frame_.sides, cancelPoint);
+      return lights_.survey();
     };
     chooseByScene(left, objects, cellsToChoose_, survey, chosen, chosen);
   }
@@ -131,11 +118,10 @@ FrameChange IrradianceEngine::changeTo(
   if (!sameLights)
   {
     const bool wasValid = std::exchange(isValid_, false);
-    const CancelPoint cancelPoint = cancelPointOf(execution, 0);
+    lights_.update(objects, plan, frame_.sides, cancelPointOf(execution, 0));
     std::vector<WalkSource> sources = settings.gathersDirectLight
-      ? directSourcesOf(objects, lights_.sources(objects, plan, frame_.sides, cancelPoint),
-          lights_.survey(objects, plan, frame_.sides, cancelPoint), settings.fewestOfCells())
-      : lights_.sources(objects, plan, frame_.sides, cancelPoint);
+      ? directSourcesOf(objects, lights_.sources(), lights_.survey(), settings.fewestOfCells())
+      : lights_.sources();
     isValid_ = wasValid;
     sameLights = isValid_ && walks_.hasSources(sources);
     if (!sameLights)
@@ -197,7 +183,8 @@ void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& 
   const bool isFresh = change.kind == FrameChange::Fresh;
   const bool keepsPhotons = settings.keepPhotons || (!isFresh && settings_.keepPhotons);
   const bool allOnEachRank = settings.allOnEachRank || (!isFresh && settings_.allOnEachRank);
-  if (!estimator_ || !haveSameEstimator(settings, settings_))
+  if (!estimator_ || !isSameEstimate(settings, settings_) || settings.seed != settings_.seed ||
+    settings.verify != settings_.verify)
   {
     estimator_ = makeCellEstimator(settings, settings, frame_, walks_);
   }
@@ -212,7 +199,9 @@ void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& 
     frame_.triangles.update(frame_.objects, cancelPointOf(beginning, 0));
   }
   surfaces_.forgetOthers(frame_.objects);
-  walks_.setSettings(walkSettingsOf(settings_));
+  WalkSettings walks = settings_;
+  walks.fewestSamples = settings_.fewestOfCells();
+  walks_.setSettings(walks);
   if (change.kind == FrameChange::Replace)
   {
     walks_.replaceCells(frame_, beginning);

@@ -167,11 +167,6 @@ std::vector<WalkSource> partsOf(const WalkSource& source, const LightSurvey::Gro
 
 }
 
-double LightSurvey::powerOfStart(double reflected)
-{
-  return std::clamp(reflected, 0.0625, 1.0);
-}
-
 LightTable LightSurvey::Group::lightsOf(const WalkSource& source, Known part) const
 {
   std::vector<bool> chosen(known.size());
@@ -236,19 +231,14 @@ double LightSurvey::gatheringCost() const
   return flux > 0 ? sum / flux : hasLights ? 1 : 0;
 }
 
-bool FrameLights::areOf(const SceneObjects& objects, const WalkPlan& plan) const
+void FrameLights::update(const SceneObjects& objects, const WalkPlan& plan, ObjectSides& sides,
+  const CancelPoint& cancelPoint)
 {
-  // A wall that a point light touches may move.
   const auto mayTouchWalls = [](const WalkSource& source) { return source.lights.mayTouchWalls(); };
-  return !sources_.empty() && plan == plan_ && areLightsUnchanged(objects, objects_) &&
-    !(std::any_of(sources_.begin(), sources_.end(), mayTouchWalls) &&
-      hasMotion(findMoved(objects, objects_)));
-}
-
-const std::vector<WalkSource>& FrameLights::sources(const SceneObjects& objects,
-  const WalkPlan& plan, ObjectSides& sides, const CancelPoint& cancelPoint)
-{
-  if (!areOf(objects, plan))
+  // A wall that a point light touches may move.
+  if (sources_.empty() || !(plan == plan_) || !areLightsUnchanged(objects, objects_) ||
+    (std::any_of(sources_.begin(), sources_.end(), mayTouchWalls) &&
+      hasMotion(findMoved(objects, objects_))))
   {
     sources_.clear();
     survey_.reset();
@@ -256,18 +246,6 @@ const std::vector<WalkSource>& FrameLights::sources(const SceneObjects& objects,
     objects_ = objects;
     plan_ = plan;
   }
-  return sources_;
-}
-
-const LightSurvey& FrameLights::survey(const SceneObjects& objects, const WalkPlan& plan,
-  ObjectSides& sides, const CancelPoint& cancelPoint)
-{
-  const std::vector<WalkSource>& found = sources(objects, plan, sides, cancelPoint);
-  if (!survey_)
-  {
-    survey_.emplace(objects, found);
-  }
-  return *survey_;
 }
 
 std::vector<WalkSource> directSourcesOf(const SceneObjects& objects,

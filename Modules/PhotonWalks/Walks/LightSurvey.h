@@ -6,6 +6,7 @@
 #include "Surfaces/ObjectSides.h"
 #include "Walks/WalkSource.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -47,7 +48,7 @@ public:
 
   /// Of a walk that starts at a cell, beside one from a light. `reflected`: by static cells, on
   /// average: where this is little, many weak walks are of no use.
-  static double powerOfStart(double reflected);
+  static double powerOfStart(double reflected) { return std::clamp(reflected, 0.0625, 1.0); }
 
   LightSurvey(const SceneObjects& objects, const std::vector<WalkSource>& sources);
 
@@ -70,20 +71,20 @@ private:
   double unevenness_ = 1;
 };
 
-/// The lights of the frame that was last asked for, as sources of walks, and a survey of them. Both
-/// are found when first asked for, and stay as long as the lights do.
+/// The lights of a frame, as sources of walks, and a survey of them. They stay as long as the lights
+/// do.
 class FrameLights
 {
 public:
-  /// As sourcesOf(). `sides`: of the objects.
-  const std::vector<WalkSource>& sources(const SceneObjects& objects, const WalkPlan& plan,
-    ObjectSides& sides, const CancelPoint& cancelPoint);
-  const LightSurvey& survey(const SceneObjects& objects, const WalkPlan& plan, ObjectSides& sides,
+  /// `sides`: of the objects.
+  void update(const SceneObjects& objects, const WalkPlan& plan, ObjectSides& sides,
     const CancelPoint& cancelPoint);
+  /// As sourcesOf().
+  const std::vector<WalkSource>& sources() const { return sources_; }
+  /// It is found when first asked for.
+  const LightSurvey& survey() { return survey_ ? *survey_ : survey_.emplace(objects_, sources_); }
 
 private:
-  bool areOf(const SceneObjects& objects, const WalkPlan& plan) const;
-
   SceneObjects objects_;
   WalkPlan plan_;
   std::vector<WalkSource> sources_; ///< of these; none before the first frame

@@ -17,13 +17,12 @@ namespace
 
 EnclosingEllipsoid enclose(const Box& box)
 {
+  using Corners = Eigen::AlignedBox3d;
   std::vector<Vector3> corners;
   for (int corner = 0; corner < 8; ++corner)
   {
-    const auto along = [&](int axis) {
-      return (corner >> axis & 1) == 0 ? box.lower[axis] : box.upper[axis];
-    };
-    corners.emplace_back(along(0), along(1), along(2));
+    corners.push_back(
+      Corners(box.lower, box.upper).corner(static_cast<Corners::CornerType>(corner)));
   }
   return encloseByEllipsoid(corners);
 }
@@ -93,8 +92,8 @@ void WalkSet::shootRound(std::size_t round, bool isStored, const Frame& frame, E
 {
   const double start = steadySeconds();
   beginRound(isStored, frame, execution);
-  shootBlocks(plan().rounds()[round], isStored, frame, execution);
   statistics_.shootSeconds += steadySeconds() - start;
+  shootBlocks(plan().rounds()[round], isStored, frame, execution);
 }
 
 void WalkSet::beginRound(bool isStored, const Frame& frame, Execution& execution)
@@ -124,6 +123,7 @@ void WalkSet::shootBlocks(
   const WalkRound& walks, bool isStored, const Frame& frame, Execution& execution)
 {
   constexpr std::size_t kBlocksTogether = WalkFront::kUsualSize / WalkPlan::kWalksPerBlock;
+  const double start = steadySeconds();
   const SobolSequence samples = this->samples();
   const WalkTracer tracer = this->tracer(frame, samples);
   std::mutex mutex;
@@ -158,6 +158,7 @@ void WalkSet::shootBlocks(
     return isDone;
   });
   statistics_.shotWalks += shot;
+  statistics_.shootSeconds += steadySeconds() - start;
 }
 
 void WalkSet::fill(
@@ -244,13 +245,6 @@ void WalkSet::resize(
     history_.append();
   }
   stale_.reset(); // nothing is stale
-}
-
-void WalkSet::shootMissing(bool areStored, const Frame& frame, Execution& execution)
-{
-  const double start = steadySeconds();
-  shootBlocks(missing_, areStored, frame, execution);
-  statistics_.shootSeconds += steadySeconds() - start;
 }
 
 void WalkSet::follow(const Frame& frame, PhotonChanges* changes, Execution& execution)
@@ -489,15 +483,14 @@ void WalkSet::loseHits(const KeptParts& kept, const CancelPoint& cancelPoint)
   }
 }
 
-void WalkSet::replaceCells(const SceneObjects& objects, const TriangleNumbers& numbers,
-  const KeptParts& kept, const CancelPoint& cancelPoint)
+void WalkSet::replaceCells(const Frame& frame, const CancelPoint& cancelPoint)
 {
-  if (!kept.areAll())
+  if (!frame.kept.areAll())
   {
-    loseHits(kept, cancelPoint);
+    loseHits(frame.kept, cancelPoint);
   }
-  sums_.replace(objects, kept.staticCells, cancelPoint);
-  history_.renumber(numbers, kept.triangles);
+  sums_.replace(frame.objects, frame.kept.staticCells, cancelPoint);
+  history_.renumber(frame.triangles.numbers(), frame.kept.triangles);
   stale_.reset(); // nothing is stale
   areCellsRenumbered_ = source_.isDynamic();
 }

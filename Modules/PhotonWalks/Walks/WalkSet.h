@@ -106,15 +106,17 @@ public:
   /// After setSource() of such a source: drops the walks that it has not, and takes what is left for
   /// a part of it. What is missing then is for shootMissing().
   void resize(bool areStored, const SceneTriangles& triangles, const CancelPoint& cancelPoint);
-  void shootMissing(bool areStored, const Frame& frame, Execution& execution);
+  void shootMissing(bool areStored, const Frame& frame, Execution& execution)
+  {
+    shootBlocks(missing_, areStored, frame, execution);
+  }
   /// Follows a change: verifies what is stored, if the frame has changed, and repairs what is stale,
   /// as far as the budget of time goes. `changes`: receives the photons that go and come; null: not
   /// asked for.
   void follow(const Frame& frame, PhotonChanges* changes, Execution& execution);
   /// Changes to objects of which some have other cells or triangles. No walk may be stale, or touch
   /// these, other than parts that are gone.
-  void replaceCells(const SceneObjects& objects, const TriangleNumbers& numbers,
-    const KeptParts& kept, const CancelPoint& cancelPoint);
+  void replaceCells(const Frame& frame, const CancelPoint& cancelPoint);
   /// Forgets that there was a budget if nothing is stale, and there is none now or the number of
   /// rounds has changed.
   void forgetBudget();

@@ -67,34 +67,42 @@ void WalkSets::setSettings(const WalkSettings& settings)
   }
 }
 
+template <class Work>
+void WalkSets::inEach(const Frame& frame, Execution& execution, const Work& work)
+{
+  inParts(sets_.size(), execution, [&](std::size_t i, Execution& part) { work(sets_[i], part); });
+  sumUp(frame.objects, execution);
+}
+
 void WalkSets::start(const Frame& frame, Execution& execution)
 {
-  inParts(
-    sets_.size(), execution, [&](std::size_t i, Execution& part) { sets_[i].start(frame, part); });
-  sumUp(frame.objects, execution);
+  inEach(frame, execution, [&](WalkSet& set, Execution& part) { set.start(frame, part); });
 }
 
 void WalkSets::shootRound(
   std::size_t round, bool isStored, const Frame& frame, Execution& execution)
 {
-  inParts(sets_.size(), execution,
-    [&](std::size_t i, Execution& part) { sets_[i].shootRound(round, isStored, frame, part); });
-  sumUp(frame.objects, execution);
-}
-
-void WalkSets::dropRounds(std::size_t kept, const Frame& frame, Execution& execution)
-{
-  for (WalkSet& set : sets_)
-  {
-    set.dropRounds(kept, frame.triangles, cancelPointOf(execution, 1));
-  }
-  sumUp(frame.objects, execution);
+  inEach(frame, execution,
+    [&](WalkSet& set, Execution& part) { set.shootRound(round, isStored, frame, part); });
 }
 
 void WalkSets::shootMissing(bool areStored, const Frame& frame, Execution& execution)
 {
-  sets_.front().shootMissing(areStored, frame, execution);
-  sumUp(frame.objects, execution);
+  inEach(frame, execution,
+    [&](WalkSet& set, Execution& part) { set.shootMissing(areStored, frame, part); });
+}
+
+void WalkSets::dropRounds(std::size_t kept, const Frame& frame, Execution& execution)
+{
+  inEach(frame, execution, [&](WalkSet& set, Execution& part) {
+    set.dropRounds(kept, frame.triangles, cancelPointOf(part, 1));
+  });
+}
+
+void WalkSets::replaceCells(const Frame& frame, Execution& execution)
+{
+  inEach(frame, execution,
+    [&](WalkSet& set, Execution& part) { set.replaceCells(frame, cancelPointOf(part, 0)); });
 }
 
 void WalkSets::follow(const Frame& frame, PhotonChanges* changes, Execution& execution)
@@ -111,16 +119,6 @@ void WalkSets::follow(const Frame& frame, PhotonChanges* changes, Execution& exe
     sets_[i].follow(frame, changes, part);
     left -= sets_[i].statistics().repairSeconds;
   });
-  sumUp(frame.objects, execution);
-}
-
-void WalkSets::replaceCells(const Frame& frame, Execution& execution)
-{
-  for (WalkSet& set : sets_)
-  {
-    set.replaceCells(
-      frame.objects, frame.triangles.numbers(), frame.kept, cancelPointOf(execution, 0));
-  }
   sumUp(frame.objects, execution);
 }
 
@@ -322,12 +320,8 @@ double WalkSets::staleGainBound(int band) const
 
 WalkStatistics WalkSets::statisticsOfSets() const
 {
-  WalkStatistics sum;
-  for (const WalkSet& set : sets_)
-  {
-    sum += set.statistics();
-  }
-  return sum;
+  return std::accumulate(sets_.begin(), sets_.end(), WalkStatistics(),
+    [](WalkStatistics sum, const WalkSet& set) { return sum += set.statistics(); });
 }
 
 }

@@ -134,6 +134,9 @@ private:
     StaleFigures stale;
     WalkStatistics statistics;
   };
+  /// Calls work(set, part of the execution) for each, and sums up.
+  template <class Work>
+  void inEach(const Frame& frame, Execution& execution, const Work& work);
   /// Sums up what the sets of all ranks hold, unless it is a single one.
   void sumUp(const SceneObjects& objects, Execution& execution);
   static void sumOver(Ranks& ranks, Total& total, const CancelPoint& cancelPoint);
