@@ -248,13 +248,6 @@ void IrradianceEngine::commitScene(Execution& execution)
   }
 }
 
-void IrradianceEngine::start(Execution& execution)
-{
-  commitScene(execution);
-  walks_.start(frame_, execution);
-  photons_.reset();
-}
-
 void IrradianceEngine::follow(const FrameChange& change, Execution& execution)
 {
   const bool hasChanged = frame_.hasChanged();
@@ -291,12 +284,6 @@ void IrradianceEngine::repair(Execution& execution)
     photons_->apply(objects(), walks_.histories(), changes, execution);
   }
   statistics_.repairSeconds = steadySeconds() - start;
-}
-
-void IrradianceEngine::shootRound(std::size_t round, Execution& execution)
-{
-  photons_.reset(); // they are collected again, with this round
-  walks_.shootRound(round, storesWalks(), frame_, execution);
 }
 
 void IrradianceEngine::shootOnce(bool isFresh, Execution& execution)
@@ -358,13 +345,6 @@ double IrradianceEngine::expectedGrowth() const
   // The error falls with the square root of the numbers.
   const double ratio = miss_.reached / settings_.targetRelativeError;
   return std::max(2.0, std::min(ratio * ratio, std::max(walks, rays)));
-}
-
-void IrradianceEngine::estimate(const EstimateRounds& rounds, Execution& execution)
-{
-  rounds_ = rounds;
-  estimator_->update(rounds, execution);
-  statistics_.followedPaths += estimator_->followedPaths();
 }
 
 }

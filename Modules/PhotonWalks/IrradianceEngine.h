@@ -142,10 +142,19 @@ private:
     Execution& execution);
   void commitScene(Execution& execution);
   /// Forgets all walks and commits the scene.
-  void start(Execution& execution);
+  void start(Execution& execution)
+  {
+    commitScene(execution);
+    walks_.start(frame_, execution);
+    photons_.reset();
+  }
   void follow(const FrameChange& change, Execution& execution);
   void repair(Execution& execution);
-  void shootRound(std::size_t round, Execution& execution);
+  void shootRound(std::size_t round, Execution& execution)
+  {
+    photons_.reset(); // they are collected again, with this round
+    walks_.shootRound(round, storesWalks(), frame_, execution);
+  }
   /// Without a target, or as long as walks are stale: `isFresh` tells that no walk is shot yet.
   void shootOnce(bool isFresh, Execution& execution);
   /// Adds rounds of walks and rays until the target is reached, and drops those that it does not
@@ -154,7 +163,12 @@ private:
   /// An estimate, after some rounds, of how much more there will be of all that was done.
   double expectedGrowth() const;
   /// Estimates the cells from the first rounds.
-  void estimate(const EstimateRounds& rounds, Execution& execution);
+  void estimate(const EstimateRounds& rounds, Execution& execution)
+  {
+    rounds_ = rounds;
+    estimator_->update(rounds, execution);
+    statistics_.followedPaths += estimator_->followedPaths();
+  }
 
   bool isValid_ = false; ///< the state below belongs to frame_ and settings_
   std::uint64_t state_ = 0;

@@ -113,28 +113,12 @@ void LightGroups::updateLit(
   group.engine = member.engine;
 }
 
-double LightGroups::reachedRelativeError() const
-{
-  double most = 0;
-  forEachLit([&](const LightGroup& group) {
-    const double reached = group.engine->reachedRelativeError();
-    most = std::isnan(reached) || reached > most ? reached : most;
-  });
-  return most;
-}
-
 LightGroupErrors::LightGroupErrors(const LightGroups& groups)
   : groups_(groups)
 {
   groups.forEachLit([&](const LightGroup& group) {
     parts_.push_back({ group, group.engine->errorEstimate() });
   });
-}
-
-double LightGroupErrors::shown(const Part& part, const CellSide& cell, int band, double quanta)
-{
-  const IrradianceEngine& engine = *part.group.engine;
-  return part.group.shown(engine.watts(quanta) / engine.cells().area(cell), band);
 }
 
 double LightGroupErrors::standardErrorOf(
@@ -163,16 +147,6 @@ double LightGroupErrors::standardError(const CellSide& cell, int band) const
   }
   const bool isKnown = groups_.irradiance(cell, band) >= ErrorEstimate::kFewestPhotons * doubtful;
   return isKnown ? std::sqrt(square) : std::numeric_limits<double>::quiet_NaN();
-}
-
-double LightGroupErrors::ofReplicate(const CellSide& cell, int band, std::uint32_t replicate) const
-{
-  double sum = 0;
-  for (const Part& part : parts_)
-  {
-    sum += shown(part, cell, band, part.errors.ofReplicate(cell, band, replicate));
-  }
-  return sum;
 }
 
 double LightGroupErrors::ofPhoton(const CellSide& cell, int band) const

@@ -6,6 +6,7 @@
 #include "IrradianceEngine.h"
 #include "Surfaces/GroupLamps.h"
 
+#include <cmath>
 #include <functional>
 #include <map>
 #include <memory>
@@ -125,7 +126,15 @@ public:
     return count([](const IrradianceEngine&) { return std::size_t{ 1 }; });
   }
   /// The largest of all groups, see IrradianceEngine.
-  double reachedRelativeError() const;
+  double reachedRelativeError() const
+  {
+    double most = 0;
+    forEachLit([&](const LightGroup& group) {
+      const double reached = group.engine->reachedRelativeError();
+      most = std::isnan(reached) || reached > most ? reached : most;
+    });
+    return most;
+  }
   /// W/m2.
   double irradiance(const CellSide& cell, int band) const
   {
@@ -177,7 +186,15 @@ public:
   /// Of the light of one group; 0 if it is switched off.
   double standardErrorOf(const std::string& group, const CellSide& cell, int band) const;
   /// What a replicate alone says.
-  double ofReplicate(const CellSide& cell, int band, std::uint32_t replicate) const;
+  double ofReplicate(const CellSide& cell, int band, std::uint32_t replicate) const
+  {
+    double sum = 0;
+    for (const Part& part : parts_)
+    {
+      sum += shown(part, cell, band, part.errors.ofReplicate(cell, band, replicate));
+    }
+    return sum;
+  }
   /// What one photon of full power brings: of those groups that bring any the most.
   double ofPhoton(const CellSide& cell, int band) const;
 
@@ -189,7 +206,11 @@ private:
   };
 
   /// As it is shown; `quanta` of a cell.
-  static double shown(const Part& part, const CellSide& cell, int band, double quanta);
+  static double shown(const Part& part, const CellSide& cell, int band, double quanta)
+  {
+    const IrradianceEngine& engine = *part.group.engine;
+    return part.group.shown(engine.watts(quanta) / engine.cells().area(cell), band);
+  }
 
   const LightGroups& groups_;
   std::vector<Part> parts_;

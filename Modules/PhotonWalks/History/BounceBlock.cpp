@@ -67,12 +67,6 @@ void BounceBlock::addPage()
   std::memset(page->tags, BounceTag::kFree, sizeof page->tags);
 }
 
-std::int64_t* BounceBlock::powersAt(std::uint32_t slot) const
-{
-  auto* const powers = reinterpret_cast<std::int64_t*>(pages_[slot / BouncePage::kSize] + 1);
-  return powers + std::size_t{ slot % BouncePage::kSize } * bands_;
-}
-
 std::uint32_t BounceBlock::newSlot()
 {
   if (!free_.empty())
@@ -250,23 +244,6 @@ void BounceBlock::removeFrom(std::uint32_t slot)
   }
 }
 
-std::uint32_t BounceBlock::slotOf(const SegmentRef& segment) const
-{
-  std::uint32_t slot = begin(segment.walk);
-  for (std::uint32_t bounce = 0; bounce < segment.bounce && slot != kNone; ++bounce)
-  {
-    slot = next(slot);
-  }
-  return slot;
-}
-
-std::uint32_t BounceBlock::lastOf(std::uint32_t walk) const
-{
-  std::uint32_t last = kNone;
-  forEachFrom(begin(walk), [&](std::uint32_t slot) { last = slot; });
-  return last;
-}
-
 std::uint32_t BounceBlock::bounceOf(std::uint32_t slot) const
 {
   std::uint32_t more = 0;
@@ -276,24 +253,6 @@ std::uint32_t BounceBlock::bounceOf(std::uint32_t slot) const
     ++more;
   }
   return pageOf(slot).bounces[slot % BouncePage::kSize] + more;
-}
-
-Power BounceBlock::power(std::uint32_t slot) const
-{
-  if (bands_ == 0)
-  {
-    return power_;
-  }
-  Power power;
-  std::copy_n(powersAt(slot), bands_, power.quanta.begin());
-  return power;
-}
-
-std::size_t BounceBlock::bytes() const
-{
-  constexpr std::size_t kNode = 4 * sizeof(void*); // of a map, and its share of the buckets
-  return sizeof(*this) + pages_.size() * arena_->pageBytes() + pages_.capacity() * sizeof(void*) +
-    free_.capacity() * sizeof(std::uint32_t) + (children_.size() + parents_.size()) * kNode;
 }
 
 }

@@ -4,7 +4,7 @@
 
 #include "History/BlockArena.h"
 #include "History/BouncePage.h"
-#include "History/GridSegments.h"
+#include "History/PointGrid.h"
 #include "Simd/Prefetch.h"
 #include "Surfaces/Power.h"
 
@@ -154,8 +154,21 @@ public:
       : parent == kCrossing   ? parents_.at(slot)
                               : kNone;
   }
-  std::uint32_t slotOf(const SegmentRef& segment) const;
-  std::uint32_t lastOf(std::uint32_t walk) const;
+  std::uint32_t slotOf(const SegmentRef& segment) const
+  {
+    std::uint32_t slot = begin(segment.walk);
+    for (std::uint32_t bounce = 0; bounce < segment.bounce && slot != kNone; ++bounce)
+    {
+      slot = next(slot);
+    }
+    return slot;
+  }
+  std::uint32_t lastOf(std::uint32_t walk) const
+  {
+    std::uint32_t last = kNone;
+    forEachFrom(begin(walk), [&](std::uint32_t slot) { last = slot; });
+    return last;
+  }
   std::uint32_t bounceOf(std::uint32_t slot) const;
   SegmentRef segmentAt(std::uint32_t slot) const { return { walkOf(slot), bounceOf(slot) }; }
 
@@ -175,7 +188,16 @@ public:
   {
     return (record(slot).walk & BounceRecord::kContact) != 0;
   }
-  Power power(std::uint32_t slot) const;
+  Power power(std::uint32_t slot) const
+  {
+    if (bands_ == 0)
+    {
+      return power_;
+    }
+    Power power;
+    std::copy_n(powersAt(slot), bands_, power.quanta.begin());
+    return power;
+  }
   std::uint8_t tag(std::uint32_t slot) const { return pageOf(slot).tags[slot % BouncePage::kSize]; }
 
   /// Calls visit(slot) for a segment and all after it of its walk, in order. The visit must not
@@ -218,7 +240,12 @@ public:
   const std::vector<BouncePage*>& pages() const { return pages_; }
 
   /// Memory held, including unused slots.
-  std::size_t bytes() const;
+  std::size_t bytes() const
+  {
+    constexpr std::size_t kNode = 4 * sizeof(void*); // of a map, and its share of the buckets
+    return sizeof(*this) + pages_.size() * arena_->pageBytes() + pages_.capacity() * sizeof(void*) +
+      free_.capacity() * sizeof(std::uint32_t) + (children_.size() + parents_.size()) * kNode;
+  }
 
 private:
   static constexpr std::uint16_t kEnd = 0xffff;      ///< a link to nothing
@@ -231,7 +258,11 @@ private:
   {
     return pageOf(slot).records[slot % BouncePage::kSize];
   }
-  std::int64_t* powersAt(std::uint32_t slot) const;
+  std::int64_t* powersAt(std::uint32_t slot) const
+  {
+    auto* const powers = reinterpret_cast<std::int64_t*>(pages_[slot / BouncePage::kSize] + 1);
+    return powers + std::size_t{ slot % BouncePage::kSize } * bands_;
+  }
   std::uint32_t newSlot();
   void addPage();
   void appendSome(

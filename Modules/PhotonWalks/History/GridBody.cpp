@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "History/GridBody.h"
 
-#include "History/GridSegments.h"
-
 #include <Eigen/LU>
 #include <Eigen/SVD>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Lights/DistantLight.h"
 
-#include "Sampling/DirectionSampling.h"
 #include "Sampling/ElementaryFunctions.h"
 #include "Sampling/SobolPoint.h"
 
@@ -166,12 +165,6 @@ bool DistantLight::mayComeTo(const Vector3& normal) const
   });
 }
 
-Vector3 DistantLight::inDisc(const std::array<double, 2>& u) const
-{
-  const double height = 1 - u[0] * (1 - cosine_);
-  return directionAround(axis_, height, std::sqrt(std::max(0.0, 1 - height * height)), u[1]);
-}
-
 /// By rejection, which is rare: a disc is small.
 Vector3 DistantLight::sampleDisc(std::array<double, 2> u) const
 {
@@ -211,13 +204,6 @@ DistantLight::Sample DistantLight::sample(const Part& part, const std::array<dou
 double DistantLight::radiancePerWatt(const Vector3& direction) const
 {
   return table_->value(swapped(direction)) / (table_->integral() * crossSection(direction));
-}
-
-double DistantLight::crossSection(const Vector3& direction) const
-{
-  const Vector3 size = lit_.extent();
-  return std::abs(direction[0]) * size[1] * size[2] + std::abs(direction[1]) * size[2] * size[0] +
-    std::abs(direction[2]) * size[0] * size[1];
 }
 
 /// From one of the three faces of the box that are seen.

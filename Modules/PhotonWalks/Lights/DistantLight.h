@@ -3,6 +3,7 @@
 #define irradiance_DistantLight_h
 
 #include "Geometry/Ray.h"
+#include "Sampling/DirectionSampling.h"
 #include "Sampling/DirectionTable.h"
 #include "Surfaces/Sky.h"
 
@@ -40,7 +41,12 @@ public:
   double radiancePerWatt(const Vector3& direction) const;
   Ray leaving(const std::array<double, 2>& place, const std::array<double, 2>& direction) const;
   /// m2, of the box as it is seen along a direction.
-  double crossSection(const Vector3& direction) const;
+  double crossSection(const Vector3& direction) const
+  {
+    const Vector3 size = lit_.extent();
+    return std::abs(direction[0]) * size[1] * size[2] + std::abs(direction[1]) * size[2] * size[0] +
+      std::abs(direction[2]) * size[0] * size[1];
+  }
   /// Where light that comes from a direction and reaches a place enters the box; for a place
   /// outside, before it could meet anything.
   Vector3 entry(const Vector3& place, const Vector3& direction) const;
@@ -78,7 +84,11 @@ public:
 
 private:
   DistantLight() = default;
-  Vector3 inDisc(const std::array<double, 2>& u) const;
+  Vector3 inDisc(const std::array<double, 2>& u) const
+  {
+    const double height = 1 - u[0] * (1 - cosine_);
+    return directionAround(axis_, height, std::sqrt(std::max(0.0, 1 - height * height)), u[1]);
+  }
   /// With the density of what enters the box.
   Vector3 sampleDisc(std::array<double, 2> u) const;
   std::vector<Part> partsOfSky() const;

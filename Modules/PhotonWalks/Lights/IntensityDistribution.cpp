@@ -53,17 +53,6 @@ IntensityDistribution::IntensityDistribution(
   }
 }
 
-double IntensityDistribution::intensity(const Vector3& direction) const
-{
-  return table_->value(axes_.transpose() * direction) / table_->integral();
-}
-
-double IntensityDistribution::radiance(const Vector3& direction) const
-{
-  const double seen = seenArea(direction);
-  return seen > 0 ? intensity(direction) / seen : 0;
-}
-
 IntensityDistribution::Face IntensityDistribution::faceOf(const Vector3& normal) const
 {
   Face face;
@@ -76,11 +65,6 @@ IntensityDistribution::Face IntensityDistribution::faceOf(const Vector3& normal)
     }
   }
   return face;
-}
-
-Vector3 IntensityDistribution::sample(std::array<double, 2> u) const
-{
-  return axes_ * table_->sample(u);
 }
 
 /// By rejection, unless the opening is flat: then a direction in front of it is always taken.
@@ -116,16 +100,6 @@ double IntensityDistribution::roughIntensity(
   constexpr double kSlack = 0.05; // of the cosine
   const double seen = face.area * (std::max(0.0, normal.dot(direction)) + kSlack);
   return whole * seen / (seenArea(direction) + kSlack * face.area) / face.share;
-}
-
-double IntensityDistribution::seenArea(const Vector3& direction) const
-{
-  double sum = 0;
-  for (const Vector3& area : areas_)
-  {
-    sum += std::max(0.0, area.dot(direction));
-  }
-  return sum;
 }
 
 Bands emittedFrom(

@@ -26,9 +26,16 @@ public:
     const Luminaire& lamp, const AffineMap& worldFromObject, bool hasShares = true);
 
   /// W/sr for each W of the lamp. `direction`: a unit vector, as the light goes.
-  double intensity(const Vector3& direction) const;
+  double intensity(const Vector3& direction) const
+  {
+    return table_->value(axes_.transpose() * direction) / table_->integral();
+  }
   /// W/m2/sr for each W, of the faces that are seen; 0 if none is, and of a lamp without faces.
-  double radiance(const Vector3& direction) const;
+  double radiance(const Vector3& direction) const
+  {
+    const double seen = seenArea(direction);
+    return seen > 0 ? intensity(direction) / seen : 0;
+  }
   /// All faces that look the same way.
   struct Face
   {
@@ -39,7 +46,7 @@ public:
   /// `normal`: of the front, a unit vector.
   Face faceOf(const Vector3& normal) const;
   /// A direction in which light leaves a lamp without faces, or a face with this normal.
-  Vector3 sample(std::array<double, 2> u) const;
+  Vector3 sample(std::array<double, 2> u) const { return axes_ * table_->sample(u); }
   Vector3 sample(std::array<double, 2> u, const Vector3& normal, const Face& face) const;
   /// What to weigh directions by where a lamp or a receiver is wide: it is like the intensity, but
   /// nowhere much less than in the directions beside. Of a face, for each W that leaves it; without
@@ -53,7 +60,15 @@ public:
 
 private:
   /// m2, of the opening as it is seen.
-  double seenArea(const Vector3& direction) const;
+  double seenArea(const Vector3& direction) const
+  {
+    double sum = 0;
+    for (const Vector3& area : areas_)
+    {
+      sum += std::max(0.0, area.dot(direction));
+    }
+    return sum;
+  }
 
   std::shared_ptr<const DirectionTable> table_;
   Matrix3 axes_;               ///< of the table, as columns

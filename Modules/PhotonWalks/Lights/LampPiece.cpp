@@ -77,14 +77,6 @@ void addParts(const Light& light, const DistantLight& distant, std::uint32_t num
 
 }
 
-/// Conty and Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting", 2018.
-double LampCone::solidAngle() const
-{
-  const double cone = std::acos(cosine), most = std::min(kPi, cone + kPi / 2);
-  return 2 * kPi * (1 - cosine) +
-    kPi / 2 * (2 * most * sine - std::cos(cone - 2 * most) - 2 * cone * sine + cosine);
-}
-
 double LampCone::leaving(double ofDirection, double size) const
 {
   const double ofSize = std::sqrt(1 - size * size);

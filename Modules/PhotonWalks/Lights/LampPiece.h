@@ -24,7 +24,13 @@ struct LampCone
 
   bool isFlat() const { return cosine >= 1; }
   /// Into which they shine, sr.
-  double solidAngle() const;
+  /// Conty and Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting", 2018.
+  double solidAngle() const
+  {
+    const double cone = std::acos(cosine), most = std::min(kPi, cone + kPi / 2);
+    return 2 * kPi * (1 - cosine) +
+      kPi / 2 * (2 * most * sine - std::cos(cone - 2 * most) - 2 * cone * sine + cosine);
+  }
   /// The intensity for each W, times kProjected, in directions with a cosine to the axis: a mean,
   /// as normals have all cosines of the cone alike. `size`: the sine of the angle by which
   /// directions may differ: the nearest counts.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Lights/LightTable.h"
 
-#include "Sampling/WeightChoice.h"
-
 #include <algorithm>
 #include <limits>
 
@@ -51,20 +49,6 @@ LightTable::LightTable(
     lights_.clear(); // too weak for a double
   }
   setQuantaPerWalk(quantaPerWalk_);
-}
-
-LightTable LightTable::only(const std::vector<bool>& chosen) const
-{
-  LightTable some;
-  for (std::size_t i = 0; i < lights_.size(); ++i)
-  {
-    if (chosen[i])
-    {
-      some.add(lights_[i]);
-    }
-  }
-  some.setQuantaPerWalk(quantaPerWalk_);
-  return some;
 }
 
 void LightTable::setQuantaPerWalk(std::int64_t quanta)
@@ -160,24 +144,6 @@ void LightTable::add(const Light& light)
       mayTouchWalls_ = mayTouchWalls_ || !light.distant();
     }
   }
-}
-
-Bands LightTable::largestStart() const
-{
-  Bands largest{};
-  for (const Power& power : powers_)
-  {
-    for (std::size_t band = 0; band < largest.size(); ++band)
-    {
-      largest[band] = std::max(largest[band], static_cast<double>(power.quanta[band]));
-    }
-  }
-  return largest;
-}
-
-std::size_t LightTable::choose(double sample) const
-{
-  return placeByWeight(cumulative_, sample * cumulative_.back());
 }
 
 }

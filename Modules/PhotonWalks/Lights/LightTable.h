@@ -3,6 +3,7 @@
 #define irradiance_LightTable_h
 
 #include "Lights/Light.h"
+#include "Sampling/WeightChoice.h"
 
 #include <cstdint>
 #include <memory>
@@ -22,7 +23,19 @@ public:
     const SceneObjects& objects, std::uint64_t numberOfWalks, const LightWalls& walls = {});
 
   /// Those lights alone for which `chosen` holds, with the same quanta.
-  LightTable only(const std::vector<bool>& chosen) const;
+  LightTable only(const std::vector<bool>& chosen) const
+  {
+    LightTable some;
+    for (std::size_t i = 0; i < lights_.size(); ++i)
+    {
+      if (chosen[i])
+      {
+        some.add(lights_[i]);
+      }
+    }
+    some.setQuantaPerWalk(quantaPerWalk_);
+    return some;
+  }
 
   bool isEmpty() const { return lights_.empty(); }
   const std::vector<Light>& lights() const { return lights_; }
@@ -40,10 +53,24 @@ public:
   void setQuantaPerWalk(std::int64_t quanta);
 
   /// Quanta with which a walk from any light may start, in each band.
-  Bands largestStart() const;
+  Bands largestStart() const
+  {
+    Bands largest{};
+    for (const Power& power : powers_)
+    {
+      for (std::size_t band = 0; band < largest.size(); ++band)
+      {
+        largest[band] = std::max(largest[band], static_cast<double>(power.quanta[band]));
+      }
+    }
+    return largest;
+  }
 
   /// The number of the light that a sample in (0, 1) chooses.
-  std::size_t choose(double sample) const;
+  std::size_t choose(double sample) const
+  {
+    return placeByWeight(cumulative_, sample * cumulative_.back());
+  }
   /// W, up to and including each light: what choose() searches.
   const std::vector<double>& cumulativeFlux() const { return cumulative_; }
   const Light& operator[](std::size_t light) const { return lights_[light]; }

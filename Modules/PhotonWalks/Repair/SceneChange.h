@@ -9,27 +9,8 @@
 namespace irradiance
 {
 
-/**
- * What the stored walks need to follow to a frame. All of the following is an update; the table in
- * Documentation/Theory.md, section 4, says what each costs. A fresh start is left for
- *
- * - other lights, by value (the numbers of their cells and triangles too, so a part that comes or
- *   goes before a lamp): where walks start, and how many of them at each, follows from all lights;
- * - another seed, another number of replicates or bands: no sample or no power is as before;
- * - walks that start elsewhere: direct light is gathered instead of shot, or with more samples;
- * - static cells that reflect otherwise where direct light is gathered: with how much power walks
- *   start at cells follows from the mean of these;
- * - static parts, or dynamic objects in all, that come or go where it is gathered: each of some
- *   groups of objects has its own walks;
- * - another number of walks where they start at cells, where several sources number theirs one
- *   after the other, with a target (rounds double the first one), or if their quanta change in
- *   several bands (powers are rounded at each hit);
- * - any of these, other than more walks, if the walks of before are not stored;
- * - parts that come or go, cells that are replaced, another number of walks, while walks are stale:
- *   the marks are of the old ones;
- * - a scene of which no static part is left;
- * - other ranks, or walks that are to be on each of them.
- */
+/// What the stored walks need to follow to a frame. Documentation/Theory.md, section 4, lists what
+/// each change costs, and which ones take a fresh start.
 struct FrameChange
 {
   enum Kind

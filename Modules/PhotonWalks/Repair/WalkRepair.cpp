@@ -63,7 +63,6 @@ void WalkRepair::verifyAndRepair(Execution& execution)
         const double seconds = steadySeconds() - start;
         const std::lock_guard<std::mutex> lock(mutex_);
         figures_.verifySeconds += seconds;
-        figures_.invalidWalks += static_cast<std::int64_t>(open[unit]->batch.front().size);
       }
       const double start = steadySeconds();
       const bool isDone = shoot(*open[unit], hasToStop);
@@ -82,7 +81,7 @@ void WalkRepair::verifyAndMark(StaleWalks& stale, Execution& execution)
   std::vector<const StaleMarks*> known;
   for (std::size_t block = 0; block < state_.history.size(); ++block)
   {
-    known.push_back(&std::as_const(stale).marks(block));
+    known.push_back(&stale.marks(block));
   }
   passOver(
     state_.history, execution, [&](std::size_t first, std::size_t end, std::size_t, const auto&) {
@@ -98,10 +97,6 @@ void WalkRepair::verifyAndMark(StaleWalks& stale, Execution& execution)
         }
         std::sort(work->firsts.begin(), work->firsts.end());
         stale.add(rows.block[row], state_.history, work->firsts);
-      }
-      {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        figures_.invalidWalks += static_cast<std::int64_t>(rows.size);
       }
       state_.pool.giveBack(std::move(work));
       return true;

@@ -56,7 +56,6 @@ public:
   /// What was done.
   struct Figures
   {
-    std::int64_t invalidWalks = 0; ///< that the verification found
     std::int64_t repairedSegments = 0;
     double verifySeconds = 0, repairSeconds = 0; ///< of all threads
   };

@@ -23,24 +23,6 @@ WalkVerifier::WalkVerifier(const WalkTracer& tracer, const WalkHistory& history,
   }
 }
 
-void WalkVerifier::Memory::clear()
-{
-  for (Suspects* const suspects : all())
-  {
-    suspects->rows.size = 0;
-    suspects->known.clear();
-  }
-}
-
-/// Any of them may get all.
-void WalkVerifier::Memory::reserve(std::size_t more, int bands)
-{
-  for (Suspects* const suspects : all())
-  {
-    suspects->rows.reserve(suspects->rows.size + more, bands);
-  }
-}
-
 template <class IsChosen>
 void WalkVerifier::choose(Memory& memory, const IsChosen& isChosen, WalkFront& stale) const
 {
@@ -115,6 +97,7 @@ void WalkVerifier::find(std::size_t first, std::size_t end,
       return rows.bounce[row] == memory.firstStale[walkAt(rows, row, first)];
     },
     stale);
+  found_ += static_cast<std::int64_t>(stale.size);
 }
 
 void WalkVerifier::castAgain(
@@ -276,24 +259,6 @@ void WalkVerifier::noteFirst(std::size_t firstBlock, Memory& memory) const
   const WalkFront &blocked = memory.blocked.rows, &lost = memory.lost.rows;
   noteIf(blocked, [&](std::size_t row) { return blocked.hit[row] != blocked.candidate[row]; });
   noteIf(lost, [&](std::size_t row) { return isChanged(lost, row); });
-}
-
-/// Where objects touch, the hit may be the same and yet depend on other objects than before: then
-/// it is stored again as well.
-bool WalkVerifier::isChanged(const WalkFront& rows, std::size_t row) const
-{
-  const BounceBlock& block = history_.block(rows.block[row]);
-  const std::uint32_t slot = rows.slot[row], hit = rows.hit[row];
-  const std::array<float, 2> weights{ rows.weightB[row], rows.weightC[row] };
-  return hit != block.triangle(slot) || weights != block.weights(slot) || hasMoved(hit) ||
-    tracer_.isContact(rows.start[row], hit) != block.isContact(slot);
-}
-
-std::size_t WalkVerifier::walkAt(
-  const WalkFront& rows, std::size_t row, std::size_t firstBlock) const
-{
-  return (rows.block[row] - firstBlock) * WalkPlan::kWalksPerBlock +
-    (rows.walk[row] - history_.block(rows.block[row]).firstWalk());
 }
 
 }

@@ -191,16 +191,6 @@ LightSurvey::LightSurvey(const SceneObjects& objects, const std::vector<WalkSour
   unevenness_ = unevennessOf(sources, hits, groups_);
 }
 
-double LightSurvey::hiddenVariance() const
-{
-  double most = 0;
-  for (const Group& group : groups_)
-  {
-    most = group.areHardToFind ? std::max(most, group.variance) : most;
-  }
-  return most;
-}
-
 double LightSurvey::gatheredVariance() const
 {
   double sum = 0, flux = 0;

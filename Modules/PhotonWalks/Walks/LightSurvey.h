@@ -58,7 +58,15 @@ public:
   /// stands for all that is.
   double unevenness() const { return unevenness_; }
   /// Of the lights that are hard to find, see DirectPilot; 0 if there are none.
-  double hiddenVariance() const;
+  double hiddenVariance() const
+  {
+    double most = 0;
+    for (const Group& group : groups_)
+    {
+      most = group.areHardToFind ? std::max(most, group.variance) : most;
+    }
+    return most;
+  }
   /// Likewise of those that are gathered; the part of static lights, as a thing that moves has no
   /// light of its own lamps.
   double gatheredVariance() const;

@@ -29,16 +29,6 @@ EnclosingEllipsoid enclose(const Box& box)
 
 }
 
-void WalkSet::setSettings(const WalkSettings& settings)
-{
-  if (settings_.cacheStaticHits && !settings.cacheStaticHits)
-  {
-    history_.forgetHiddenHits();
-  }
-  settings_ = settings;
-  statistics_ = {};
-}
-
 void WalkSet::start(const Frame& frame, Execution& execution)
 {
   balance_ = {};
@@ -86,14 +76,6 @@ std::shared_ptr<BlockArena> WalkSet::arenaFor(int bands)
     arena_->release();
   }
   return arena_;
-}
-
-void WalkSet::shootRound(std::size_t round, bool isStored, const Frame& frame, Execution& execution)
-{
-  const double start = steadySeconds();
-  beginRound(isStored, frame, execution);
-  statistics_.shootSeconds += steadySeconds() - start;
-  shootBlocks(plan().rounds()[round], isStored, frame, execution);
 }
 
 void WalkSet::beginRound(bool isStored, const Frame& frame, Execution& execution)
@@ -214,14 +196,6 @@ void WalkSet::dropBlocks(
   }
 }
 
-bool WalkSet::isResizedBy(const WalkSource& source, bool areStored) const
-{
-  // With several bands powers are rounded to quanta at each hit.
-  const bool keepPower = history_.bands() == 1 || source.quantaPerWalk() == source_.quantaPerWalk();
-  return source_.differsInNumber(source) && keepPower && !hasStale() &&
-    (areStored || source.plan.most() > source_.plan.most());
-}
-
 void WalkSet::resize(
   bool areStored, const SceneTriangles& triangles, const CancelPoint& cancelPoint)
 {
@@ -331,7 +305,7 @@ void WalkSet::followWalks(const std::vector<bool>& moved, const Repainted& repai
   statistics_.repairSeconds += budget ? budget->elapsed() : steadySeconds() - repairStart;
   std::sort(repaired_.begin(), repaired_.end());
   statistics_.suspectSegments = verifier.numberOfSuspects();
-  statistics_.invalidWalks += repair.figures().invalidWalks;
+  statistics_.invalidWalks += verifier.numberFound();
   statistics_.repairedSegments += repair.figures().repairedSegments;
 }
 
@@ -493,23 +467,6 @@ void WalkSet::replaceCells(const Frame& frame, const CancelPoint& cancelPoint)
   history_.renumber(frame.triangles.numbers(), frame.kept.triangles);
   stale_.reset(); // nothing is stale
   areCellsRenumbered_ = source_.isDynamic();
-}
-
-void WalkSet::forgetBudget()
-{
-  // All ranks agree on the rounds, but not on how many blocks they have.
-  if (stale_ && stale_->isEmpty() && (!hasBudget() || staleRounds_ != sums_.rounds()))
-  {
-    stale_.reset();
-  }
-}
-
-std::size_t WalkSet::bytes() const
-{
-  std::size_t gathered = 0;
-  forEachGathered([&](const DirectGather& light) { gathered += light.bytes(); });
-  return (stale_ ? stale_->bytes() : 0) + repaired_.capacity() * sizeof(SegmentRef) +
-    history_.bytes() + (gathered > 0 ? gathered + sums_.bytes() : 0);
 }
 
 Bands WalkSet::largestStart() const

@@ -89,20 +89,41 @@ public:
   }
   /// For what is done next. Between two starts they may differ only in what is kept, and in the
   /// budget.
-  void setSettings(const WalkSettings& settings);
+  void setSettings(const WalkSettings& settings)
+  {
+    if (settings_.cacheStaticHits && !settings.cacheStaticHits)
+    {
+      history_.forgetHiddenHits();
+    }
+    settings_ = settings;
+    statistics_ = {};
+  }
   /// Of time, for the next motion, s; > 0 if there is one in the settings.
   void setBudget(double seconds) { settings_.repairTimeBudget = seconds; }
   /// Forgets all walks. The next rounds are shot in this space; of each round this rank shoots its
   /// blocks.
   void start(const Frame& frame, Execution& execution);
   /// Shoots a round. With `isStored` the history holds all rounds before it.
-  void shootRound(std::size_t round, bool isStored, const Frame& frame, Execution& execution);
+  void shootRound(std::size_t round, bool isStored, const Frame& frame, Execution& execution)
+  {
+    const double start = steadySeconds();
+    beginRound(isStored, frame, execution);
+    statistics_.shootSeconds += steadySeconds() - start;
+    shootBlocks(plan().rounds()[round], isStored, frame, execution);
+  }
   /// Drops all but the first `kept` rounds.
   void dropRounds(
     std::size_t kept, const SceneTriangles& triangles, const CancelPoint& cancelPoint);
   /// Whether another source has only another number of walks, and those that both have may stay: all
   /// are stored, or there are more, and none is stale.
-  bool isResizedBy(const WalkSource& source, bool areStored) const;
+  bool isResizedBy(const WalkSource& source, bool areStored) const
+  {
+    // With several bands powers are rounded to quanta at each hit.
+    const bool keepPower =
+      history_.bands() == 1 || source.quantaPerWalk() == source_.quantaPerWalk();
+    return source_.differsInNumber(source) && keepPower && !hasStale() &&
+      (areStored || source.plan.most() > source_.plan.most());
+  }
   /// After setSource() of such a source: drops the walks that it has not, and takes what is left for
   /// a part of it. What is missing then is for shootMissing().
   void resize(bool areStored, const SceneTriangles& triangles, const CancelPoint& cancelPoint);
@@ -119,7 +140,14 @@ public:
   void replaceCells(const Frame& frame, const CancelPoint& cancelPoint);
   /// Forgets that there was a budget if nothing is stale, and there is none now or the number of
   /// rounds has changed.
-  void forgetBudget();
+  void forgetBudget()
+  {
+    // All ranks agree on the rounds, but not on how many blocks they have.
+    if (stale_ && stale_->isEmpty() && (!hasBudget() || staleRounds_ != sums_.rounds()))
+    {
+      stale_.reset();
+    }
+  }
 
   const WalkSource& source() const { return source_; }
   const LightTable& lights() const { return source_.lights; }
@@ -148,7 +176,13 @@ public:
   /// What was done since the settings were made.
   const WalkStatistics& statistics() const { return statistics_; }
   /// Memory held.
-  std::size_t bytes() const;
+  std::size_t bytes() const
+  {
+    std::size_t gathered = 0;
+    forEachGathered([&](const DirectGather& light) { gathered += light.bytes(); });
+    return (stale_ ? stale_->bytes() : 0) + repaired_.capacity() * sizeof(SegmentRef) +
+      history_.bytes() + (gathered > 0 ? gathered + sums_.bytes() : 0);
+  }
 
   /// Where walks start; null: at the lights.
   const DirectRounds* gathered() const { return gathered_.get(); }

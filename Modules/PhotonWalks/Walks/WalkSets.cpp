@@ -46,12 +46,6 @@ void WalkSets::setSources(std::vector<WalkSource> sources)
   }
 }
 
-bool WalkSets::hasSources(const std::vector<WalkSource>& sources) const
-{
-  return std::equal(sets_.begin(), sets_.end(), sources.begin(), sources.end(),
-    [](const WalkSet& set, const WalkSource& source) { return set.source() == source; });
-}
-
 void WalkSets::setSettings(const WalkSettings& settings)
 {
   budget_ = settings.repairTimeBudget;
@@ -65,44 +59,6 @@ void WalkSets::setSettings(const WalkSettings& settings)
   {
     total_->statistics = {};
   }
-}
-
-template <class Work>
-void WalkSets::inEach(const Frame& frame, Execution& execution, const Work& work)
-{
-  inParts(sets_.size(), execution, [&](std::size_t i, Execution& part) { work(sets_[i], part); });
-  sumUp(frame.objects, execution);
-}
-
-void WalkSets::start(const Frame& frame, Execution& execution)
-{
-  inEach(frame, execution, [&](WalkSet& set, Execution& part) { set.start(frame, part); });
-}
-
-void WalkSets::shootRound(
-  std::size_t round, bool isStored, const Frame& frame, Execution& execution)
-{
-  inEach(frame, execution,
-    [&](WalkSet& set, Execution& part) { set.shootRound(round, isStored, frame, part); });
-}
-
-void WalkSets::shootMissing(bool areStored, const Frame& frame, Execution& execution)
-{
-  inEach(frame, execution,
-    [&](WalkSet& set, Execution& part) { set.shootMissing(areStored, frame, part); });
-}
-
-void WalkSets::dropRounds(std::size_t kept, const Frame& frame, Execution& execution)
-{
-  inEach(frame, execution, [&](WalkSet& set, Execution& part) {
-    set.dropRounds(kept, frame.triangles, cancelPointOf(part, 1));
-  });
-}
-
-void WalkSets::replaceCells(const Frame& frame, Execution& execution)
-{
-  inEach(frame, execution,
-    [&](WalkSet& set, Execution& part) { set.replaceCells(frame, cancelPointOf(part, 0)); });
 }
 
 void WalkSets::follow(const Frame& frame, PhotonChanges* changes, Execution& execution)
@@ -207,33 +163,6 @@ WalkSets::StaleFigures WalkSets::staleOfSets() const
   return all;
 }
 
-Box WalkSets::boundsInAir() const
-{
-  Box bounds;
-  for (const WalkSet& set : sets_)
-  {
-    bounds.add(set.lights().boundsInAir());
-  }
-  return bounds;
-}
-
-Box WalkSets::bounds(const Scene& scene) const
-{
-  Box bounds = scene.bounds();
-  bounds.add(boundsInAir());
-  return bounds;
-}
-
-Bands WalkSets::largestStart() const
-{
-  Bands largest{};
-  for (const WalkSet& set : sets_)
-  {
-    largest = larger(largest, set.largestStart());
-  }
-  return largest;
-}
-
 std::int64_t WalkSets::numberOfShotWalks() const
 {
   std::int64_t number = 0;
@@ -263,28 +192,6 @@ double WalkSets::escapedError(int band) const
   return std::sqrt(variance);
 }
 
-WalkHistories WalkSets::histories() const
-{
-  std::vector<const WalkHistory*> all;
-  for (const WalkSet& set : sets_)
-  {
-    all.push_back(&set.history());
-  }
-  return WalkHistories(std::move(all));
-}
-
-std::size_t WalkSets::numberOfBlocks() const
-{
-  return std::accumulate(sets_.begin(), sets_.end(), std::size_t{},
-    [](std::size_t sum, const WalkSet& set) { return sum + set.history().size(); });
-}
-
-std::size_t WalkSets::bytes() const
-{
-  return std::accumulate(sets_.begin(), sets_.end(), total_ ? total_->sums.bytes() : 0,
-    [](std::size_t sum, const WalkSet& set) { return sum + set.bytes(); });
-}
-
 std::vector<std::uint32_t> WalkSets::first(std::size_t count) const
 {
   const std::size_t all = isEmpty() ? 0 : numberOfWalks();
@@ -299,29 +206,6 @@ std::vector<std::uint32_t> WalkSets::first(std::size_t count) const
     std::iota(walks.begin() + next, walks.end(), set.plan().rounds().front().firstWalk);
   }
   return walks;
-}
-
-const CellSums* WalkSets::staleSums() const
-{
-  if (total_)
-  {
-    return total_->stale.isKept ? &total_->staleSums : nullptr;
-  }
-  const StaleWalks* stale = sets_.front().stale();
-  return stale ? &stale->sums() : nullptr;
-}
-
-double WalkSets::staleGainBound(int band) const
-{
-  const StaleFigures stale = staleFigures();
-  return stale.isBounded || stale.carried[band] == 0 ? static_cast<double>(stale.gain[band])
-                                                     : std::numeric_limits<double>::infinity();
-}
-
-WalkStatistics WalkSets::statisticsOfSets() const
-{
-  return std::accumulate(sets_.begin(), sets_.end(), WalkStatistics(),
-    [](WalkStatistics sum, const WalkSet& set) { return sum += set.statistics(); });
 }
 
 }
