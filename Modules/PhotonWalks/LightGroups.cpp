@@ -45,14 +45,12 @@ void LightGroups::findGroups(const Asked& asked, Ranks& ranks)
   areSeveral_ =
     present.size() > 1 || (present.size() == 1 && asked.groups[present.begin()->second].isNamed);
   groups_.clear();
-  numbers_.clear();
   Hash hash;
   for (const auto& [name, number] : present)
   {
     const Bands& factor = asked.groups[number].factor;
     const bool isScaled = areSeveral_ && !hasSky(asked, number);
-    groups_.push_back({ name, factor, isScaled ? lamps_.brightest(number) : kOne, nullptr });
-    numbers_.push_back(number);
+    groups_.push_back({ name, factor, isScaled ? lamps_.brightest(number) : kOne, number, {} });
     hash.add(seedOf(name, 0), factor[0], factor[1], factor[2]);
   }
   ranks.expectSame(hash.value(), "other light groups than on the first process");
@@ -63,22 +61,22 @@ void LightGroups::update(const Asked& asked, Execution& execution)
   isValid_ = false;
   ++state_;
   findGroups(asked, execution.ranks());
-  std::vector<std::pair<LightGroup*, std::uint32_t>> lit;
+  std::vector<LightGroup*> lit;
   std::map<std::string, Member> members;
   const auto keep = [&](const LightGroup& group) { members.insert(members_.extract(group.name)); };
-  for (std::size_t i = 0; i < groups_.size(); ++i)
+  for (LightGroup& group : groups_)
   {
-    keep(groups_[i]);
-    if (!isOff(groups_[i].factor))
+    keep(group);
+    if (!isOff(group.factor))
     {
-      lit.emplace_back(&groups_[i], numbers_[i]);
+      lit.push_back(&group);
     }
   }
   darkness_ = {};
   if (lit.empty())
   {
     keep(darkness_);
-    lit.emplace_back(&darkness_, kNone);
+    lit.push_back(&darkness_);
   }
   members_ = std::move(members);
   const double budget = asked.settings.repairTimeBudget;
@@ -86,24 +84,23 @@ void LightGroups::update(const Asked& asked, Execution& execution)
   for (std::size_t i = 0; i < lit.size(); ++i)
   {
     constexpr double kLeast = 1e-9; // s; 0 would be none
-    const auto [group, number] = lit[i];
     const auto count = static_cast<double>(lit.size()), done = static_cast<double>(i);
     ProgressSpan part(execution, done / count, (done + 1) / count);
     const double share = left / (count - done);
-    updateLit(asked, number, *group, budget > 0 ? std::max(share, kLeast) : 0, part);
+    updateLit(asked, *lit[i], budget > 0 ? std::max(share, kLeast) : 0, part);
     // Processes need the same settings, and have different clocks.
-    left -= execution.ranks().areSeveral() ? share : group->engine->statistics().repairSeconds;
+    left -= execution.ranks().areSeveral() ? share : lit[i]->engine->statistics().repairSeconds;
   }
-  any_ = lit.front().first->engine;
+  any_ = lit.front()->engine;
   isValid_ = true;
 }
 
 void LightGroups::updateLit(
-  const Asked& asked, std::uint32_t number, LightGroup& group, double budget, Execution& execution)
+  const Asked& asked, LightGroup& group, double budget, Execution& execution)
 {
   Member& member = members_[group.name];
-  const SceneObjects objects = member.lamps.only(
-    asked.objects, areSeveral_ ? &lamps_ : nullptr, number, group.scale, hasSky(asked, number));
+  const SceneObjects objects = member.lamps.only(asked.objects, areSeveral_ ? &lamps_ : nullptr,
+    group.number, group.scale, hasSky(asked, group.number));
   EngineSettings settings = asked.settings;
   settings.repairTimeBudget = budget;
   settings.seed = areSeveral_ ? seedOf(group.name, settings.seed) : settings.seed;

@@ -30,6 +30,7 @@ struct LightGroup
 {
   std::string name;
   Bands factor{}, scale{};
+  std::uint32_t number = Emission::kNone;   ///< see Emission::groups; kNone of darkness
   std::shared_ptr<IrradianceEngine> engine; ///< null: the group is switched off
 
   /// What the engine says, in any unit, for the lamps as they shine. With a factor of 1 it is the
@@ -147,8 +148,6 @@ public:
   bool isValid() const { return isValid_; }
 
 private:
-  static constexpr std::uint32_t kNone = Emission::kNone;
-
   /// What is kept of a group while its lamps are there.
   struct Member
   {
@@ -160,15 +159,13 @@ private:
     return asked.objects.sky && number == asked.ofSky;
   }
   void findGroups(const Asked& asked, Ranks& ranks);
-  /// `number`: of the group; kNone: of darkness. `budget`: of time, s.
-  void updateLit(const Asked& asked, std::uint32_t number, LightGroup& group, double budget,
-    Execution& execution);
+  /// `budget`: of time, s.
+  void updateLit(const Asked& asked, LightGroup& group, double budget, Execution& execution);
 
   SceneLamps lamps_;
   std::map<std::string, Member> members_; ///< by name of the group
   std::vector<LightGroup> groups_;
-  std::vector<std::uint32_t> numbers_; ///< of these
-  LightGroup darkness_;                ///< has no engine where something shines
+  LightGroup darkness_; ///< has no engine where something shines
   std::shared_ptr<IrradianceEngine> any_;
   bool areSeveral_ = false, isValid_ = false;
   std::uint64_t state_ = 0;

@@ -7,22 +7,6 @@
 namespace irradiance
 {
 
-namespace
-{
-
-std::vector<std::shared_ptr<const IntensityDistribution>> distributionsOf(const SceneObject& object)
-{
-  std::vector<std::shared_ptr<const IntensityDistribution>> distributions;
-  for (const Luminaire& lamp : object.emission->luminaires)
-  {
-    distributions.push_back(
-      std::make_shared<const IntensityDistribution>(lamp, object.worldFromObject));
-  }
-  return distributions;
-}
-
-}
-
 LightTable::LightTable(
   const SceneObjects& objects, std::uint64_t numberOfWalks, const LightWalls& walls)
 {
@@ -35,7 +19,12 @@ LightTable::LightTable(
   {
     if (objects[object].isPresent && objects[object].emits())
     {
-      const Distributions luminaires = distributionsOf(objects[object]);
+      Distributions luminaires;
+      for (const Luminaire& lamp : objects[object].emission->luminaires)
+      {
+        luminaires.push_back(
+          std::make_shared<const IntensityDistribution>(lamp, objects[object].worldFromObject));
+      }
       addAreas(objects[object], object, luminaires);
       addPoints(objects[object], object, walls, luminaires);
     }

@@ -29,28 +29,23 @@ void WalkVerifier::choose(Memory& memory, const IsChosen& isChosen, WalkFront& s
   const std::array<Suspects*, 3> suspects = memory.all();
   const std::array<const WalkFront*, 3> fronts{ &suspects[0]->rows, &suspects[1]->rows,
     &suspects[2]->rows };
-  std::array<std::size_t, 3> next{};
-  const auto blockAt = [&](std::size_t i) {
-    return next[i] < fronts[i]->size ? fronts[i]->block[next[i]] : WalkFront::kNone;
+  using Row = WalkFront::Rows::value_type;
+  const auto isBefore = [&](const Row& a, const Row& b) {
+    return fronts[a.first]->block[a.second] < fronts[b.first]->block[b.second];
   };
   memory.chosen.clear();
-  for (;;)
+  for (std::size_t i = 0; i < fronts.size(); ++i)
   {
-    const std::uint32_t block = std::min({ blockAt(0), blockAt(1), blockAt(2) });
-    if (block == WalkFront::kNone)
+    const auto before = static_cast<std::ptrdiff_t>(memory.chosen.size());
+    for (std::size_t row = 0; row < fronts[i]->size; ++row)
     {
-      break;
-    }
-    for (std::size_t i = 0; i < fronts.size(); ++i)
-    {
-      for (; blockAt(i) == block; ++next[i])
+      if (isChosen(*fronts[i], row))
       {
-        if (isChosen(*fronts[i], next[i]))
-        {
-          memory.chosen.emplace_back(i, next[i]);
-        }
+        memory.chosen.emplace_back(i, row);
       }
     }
+    std::inplace_merge(
+      memory.chosen.begin(), memory.chosen.begin() + before, memory.chosen.end(), isBefore);
   }
   stale.pick(fronts, memory.chosen);
   for (std::size_t i = 0; cachesStaticHits_ && i < memory.chosen.size(); ++i)

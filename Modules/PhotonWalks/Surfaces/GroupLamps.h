@@ -18,8 +18,6 @@ class SceneLamps
 public:
   void update(const SceneObjects& objects);
 
-  /// The numbers of groups with lamps that are there are less than this.
-  std::uint32_t numberOfGroups() const;
   /// The largest exitance or flux of a group in each band; 0 if it has no lamps that are there.
   Bands brightest(std::uint32_t group) const;
   /// See SceneObject::lampCells.

@@ -14,6 +14,19 @@
 namespace irradiance
 {
 
+/**
+ * A source for the sky and for all other lights, and of these for each class of power, see
+ * powerClassesOf(); one without lights if nothing shines.
+ *
+ * A single one has all walks of the plan. Several share them by flux, of classes half of them
+ * alike, and number them one source after the other. Their shares are rounded: to walks that all
+ * replicates have as many of, which double from round to round. So a walk has more power in one
+ * source than in another, and a quantum is as many watts in all; rounded to whole quanta, the power
+ * of a source is off by less than half a quantum for each walk. Throws as LightTable does.
+ */
+std::vector<WalkSource> sourcesOf(
+  const SceneObjects& objects, const WalkPlan& plan, const LightWalls& walls = {});
+
 /// How the light of a lamp is best known.
 enum class Known
 {
