@@ -110,14 +110,6 @@ void LightGroups::updateLit(
   group.engine = member.engine;
 }
 
-LightGroupErrors::LightGroupErrors(const LightGroups& groups)
-  : groups_(groups)
-{
-  groups.forEachLit([&](const LightGroup& group) {
-    parts_.push_back({ group, group.engine->errorEstimate() });
-  });
-}
-
 double LightGroupErrors::standardErrorOf(
   const std::string& group, const CellSide& cell, int band) const
 {

@@ -175,7 +175,13 @@ private:
 class LightGroupErrors
 {
 public:
-  explicit LightGroupErrors(const LightGroups& groups);
+  explicit LightGroupErrors(const LightGroups& groups)
+    : groups_(groups)
+  {
+    groups.forEachLit([&](const LightGroup& group) {
+      parts_.push_back({ group, group.engine->errorEstimate() });
+    });
+  }
 
   // All in W/m2, of cells with an area.
   /// NaN where too few photons arrived.

@@ -36,26 +36,6 @@ void copySome(const Value* from, std::size_t count, Value* to)
 
 }
 
-BounceBlock::BounceBlock(BlockArena& arena, std::uint32_t firstWalk, std::uint32_t numberOfWalks,
-  int bands, const PointGrid& grid, const Power& power)
-  : arena_(&arena)
-  , firstWalk_(firstWalk)
-  , numberOfWalks_(numberOfWalks)
-  , size_(numberOfWalks)
-  , bands_(bands > 1 ? static_cast<std::uint32_t>(bands) : 0)
-  , grid_(grid)
-  , power_(power)
-{
-}
-
-BounceBlock::~BounceBlock()
-{
-  for (BouncePage* const page : pages_)
-  {
-    arena_->giveBack(page);
-  }
-}
-
 void BounceBlock::addPage()
 {
   if (pages_.size() == pages_.capacity())
@@ -159,7 +139,12 @@ void BounceBlock::storeRun(const BounceColumns& front, std::size_t row,
   }
   for (std::size_t i = 0; i < count; ++i)
   {
-    page.records[place + i] = recordOf(front, row + i);
+    const unsigned contact =
+      front.kinds[row + i] == BounceColumns::kContact ? BounceRecord::kContact : 0;
+    const unsigned side = front.isFront[row + i] != 0 ? 0 : BounceRecord::kBack;
+    page.records[place + i] = { front.triangles[row + i],
+      { front.weights[0][row + i], front.weights[1][row + i] },
+      static_cast<std::uint16_t>((front.walks[row + i] - firstWalk_) | side | contact), kEnd };
     page.tags[place + i] =
       tagOf(front.kinds[row + i], static_cast<GridSegments::State>(segments.states[at + i]));
     page.children[place + i] = kEnd;
@@ -180,15 +165,6 @@ void BounceBlock::storeRun(const BounceColumns& front, std::size_t row,
       link(front.parents[row + i], stored);
     }
   }
-}
-
-/// Not linked yet.
-BounceRecord BounceBlock::recordOf(const BounceColumns& front, std::size_t row) const
-{
-  const unsigned contact = front.kinds[row] == BounceColumns::kContact ? BounceRecord::kContact : 0;
-  const unsigned side = front.isFront[row] != 0 ? 0 : BounceRecord::kBack;
-  return { front.triangles[row], { front.weights[0][row], front.weights[1][row] },
-    static_cast<std::uint16_t>((front.walks[row] - firstWalk_) | side | contact), kEnd };
 }
 
 void BounceBlock::link(std::uint32_t parent, std::uint32_t slot)

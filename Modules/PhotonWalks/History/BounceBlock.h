@@ -80,8 +80,23 @@ public:
   /// `grid`: of the ends. `power`: of all segments, if there is one band; several have a power for
   /// each segment.
   BounceBlock(BlockArena& arena, std::uint32_t firstWalk, std::uint32_t numberOfWalks, int bands,
-    const PointGrid& grid, const Power& power);
-  ~BounceBlock();
+    const PointGrid& grid, const Power& power)
+    : arena_(&arena)
+    , firstWalk_(firstWalk)
+    , numberOfWalks_(numberOfWalks)
+    , size_(numberOfWalks)
+    , bands_(bands > 1 ? static_cast<std::uint32_t>(bands) : 0)
+    , grid_(grid)
+    , power_(power)
+  {
+  }
+  ~BounceBlock()
+  {
+    for (BouncePage* const page : pages_)
+    {
+      arena_->giveBack(page);
+    }
+  }
   BounceBlock(BounceBlock&& other) noexcept = default;
 
   std::uint32_t firstWalk() const { return firstWalk_; }
@@ -270,7 +285,6 @@ private:
   void prefetchToStore(std::uint32_t slot, std::uint32_t parent) const;
   void storeRun(const BounceColumns& front, std::size_t row, const GridSegments& segments,
     std::size_t at, std::uint32_t slot, std::size_t count);
-  BounceRecord recordOf(const BounceColumns& front, std::size_t row) const;
   void link(std::uint32_t parent, std::uint32_t slot);
   void unlink(std::uint32_t slot);
 

@@ -99,14 +99,10 @@ std::pair<Vector3, double> middleOf(const std::vector<Vector3>& points)
   return { center, spread };
 }
 
-bool isWithin(const Box& inner, const Box& outer, int axis)
+/// By axis.
+Eigen::Array<bool, 3, 1> isWithin(const Box& inner, const Box& outer)
 {
-  return inner.lower[axis] >= outer.lower[axis] && inner.upper[axis] <= outer.upper[axis];
-}
-
-bool isWithin(const Box& inner, const Box& outer)
-{
-  return isWithin(inner, outer, 0) && isWithin(inner, outer, 1) && isWithin(inner, outer, 2);
+  return inner.lower.array() >= outer.lower.array() && inner.upper.array() <= outer.upper.array();
 }
 
 }
@@ -135,14 +131,15 @@ PointGrid pointGrid(const SceneObjects& objects, const Box& bounds, const Cancel
   Box near{ center, center }, inner = near;
   near.inflate(kNear * spread);
   inner.inflate(kInner * spread);
-  if (!(spread > 0) || isWithin(bounds, near))
+  const Eigen::Array<bool, 3, 1> isNear = isWithin(bounds, near);
+  if (!(spread > 0) || isNear.all())
   {
     return PointGrid(bounds);
   }
   Box box = bounds;
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (!isWithin(bounds, near, axis))
+    if (!isNear[axis])
     {
       box.lower[axis] = std::max(bounds.lower[axis], inner.lower[axis]);
       box.upper[axis] = std::min(bounds.upper[axis], inner.upper[axis]);
@@ -151,7 +148,7 @@ PointGrid pointGrid(const SceneObjects& objects, const Box& bounds, const Cancel
   for (const SceneObject& object : objects.dynamicObjects)
   {
     const Box its = object.worldBounds();
-    if (!its.isEmpty() && isWithin(its, near))
+    if (!its.isEmpty() && isWithin(its, near).all())
     {
       box.add(its);
     }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <new>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -83,19 +84,11 @@ public:
   {
   }
   WalkHistory(WalkHistory&&) noexcept = default;
+  /// What is stored goes first: its blocks are pages of the arena of before.
   WalkHistory& operator=(WalkHistory&& other) noexcept
   {
-    blocks_ = std::move(other.blocks_); // first, as those are pages of the arena of before
-    plan_ = std::move(other.plan_);
-    grid_ = other.grid_;
-    numbers_ = std::move(other.numbers_);
-    kinds_ = std::move(other.kinds_);
-    bands_ = other.bands_;
-    power_ = other.power_;
-    dealt_ = other.dealt_;
-    arena_ = std::move(other.arena_);
-    hidden_ = std::move(other.hidden_);
-    return *this;
+    this->~WalkHistory();
+    return *new (this) WalkHistory(std::move(other));
   }
   ~WalkHistory() = default;
 

@@ -5,7 +5,9 @@
 #include "Lights/Light.h"
 #include "Sampling/WeightChoice.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -19,8 +21,37 @@ class LightTable
 public:
   LightTable() = default;
   /// Throws std::runtime_error for a light to which walls leave no side.
-  LightTable(
-    const SceneObjects& objects, std::uint64_t numberOfWalks, const LightWalls& walls = {});
+  LightTable(const SceneObjects& objects, std::uint64_t numberOfWalks, const LightWalls& walls = {})
+  {
+    constexpr std::uint64_t kMostQuanta = std::uint64_t{ 1 } << 46;
+    while (2 * static_cast<std::uint64_t>(quantaPerWalk_) * numberOfWalks <= kMostQuanta)
+    {
+      quantaPerWalk_ *= 2;
+    }
+    for (std::uint32_t object = 0; object < objects.size(); ++object)
+    {
+      if (objects[object].isPresent && objects[object].emits())
+      {
+        Distributions luminaires;
+        for (const Luminaire& lamp : objects[object].emission->luminaires)
+        {
+          luminaires.push_back(
+            std::make_shared<const IntensityDistribution>(lamp, objects[object].worldFromObject));
+        }
+        addAreas(objects[object], object, luminaires);
+        addPoints(objects[object], object, walls, luminaires);
+      }
+    }
+    if (objects.sky)
+    {
+      addSky(*objects.sky);
+    }
+    if (flux() < std::numeric_limits<double>::min())
+    {
+      lights_.clear(); // too weak for a double
+    }
+    setQuantaPerWalk(quantaPerWalk_);
+  }
 
   /// Those lights alone for which `chosen` holds, with the same quanta.
   LightTable only(const std::vector<bool>& chosen) const
@@ -50,7 +81,20 @@ public:
   /// before a sum overflows.
   std::int64_t quantaPerWalk() const { return quantaPerWalk_; }
   /// Another number, >= 1.
-  void setQuantaPerWalk(std::int64_t quanta);
+  void setQuantaPerWalk(std::int64_t quanta)
+  {
+    quantaPerWalk_ = quanta;
+    powers_.clear();
+    for (const Light& light : lights_)
+    {
+      Power& power = powers_.emplace_back();
+      for (std::size_t band = 0; band < light.flux.size(); ++band)
+      {
+        const double share = light.flux[band] / light.totalFlux();
+        power.quanta[band] = nearestQuanta(static_cast<double>(quanta) * share);
+      }
+    }
+  }
 
   /// Quanta with which a walk from any light may start, in each band.
   Bands largestStart() const
@@ -86,11 +130,81 @@ public:
 private:
   /// Of the luminaires of an object.
   using Distributions = std::vector<std::shared_ptr<const IntensityDistribution>>;
-  void addAreas(const SceneObject& object, std::uint32_t number, const Distributions& luminaires);
+  void addAreas(const SceneObject& object, std::uint32_t number, const Distributions& luminaires)
+  {
+    const TriangleMesh& mesh = object.mesh();
+    const Emission& emission = *object.emission;
+    for (std::uint32_t i = 0; i < mesh.size() && !emission.exitance.empty(); ++i)
+    {
+      const std::uint32_t cell = object.material->cellOfTriangle[i];
+      if (!emission.hasExitance(cell))
+      {
+        continue;
+      }
+      AreaLight shape{ { number, i }, transformed(object.worldFromObject, mesh[i]) };
+      const double area = shape.triangle.area();
+      const Luminaire* const lamp = emission.luminaireOf(cell);
+      double times = area;
+      if (lamp)
+      {
+        shape.ofLuminaire = luminaires[emission.luminaireOfCell[cell]];
+        shape.face = shape.ofLuminaire->faceOf(shape.triangle.areaVector().normalized());
+        times = shape.face.shareOf(area);
+      }
+      Light light({ number, cell }, shape);
+      const double* const watts = lamp ? lamp->flux.data() : emission.exitanceOf(cell);
+      std::transform(watts, watts + emission.bands, light.flux.begin(),
+        [times](double value) { return times * value; });
+      add(light);
+    }
+  }
   void addPoints(const SceneObject& object, std::uint32_t number, const LightWalls& walls,
-    const Distributions& luminaires);
-  void addSky(const Sky& sky);
-  void add(const Light& light);
+    const Distributions& luminaires)
+  {
+    const Emission& emission = *object.emission;
+    for (std::size_t i = 0; i < emission.points.size(); ++i)
+    {
+      const PointSource& source = emission.points[i];
+      Light light({ number, source.cell },
+        PointLight(object.worldFromObject(source.position),
+          walls.empty() ? std::vector<Wall>() : walls[number][i],
+          emission.luminaireOf(source.cell) ? luminaires[emission.luminaireOfCell[source.cell]]
+                                            : nullptr));
+      std::copy(source.flux.begin(), source.flux.end(), light.flux.begin());
+      add(light);
+    }
+  }
+  void addSky(const Sky& sky)
+  {
+    const SceneCell none{ 0, std::numeric_limits<std::uint32_t>::max() };
+    const auto addDistant = [&](const DistantLight& distant, const std::vector<double>& perExtent) {
+      Light light(none, distant);
+      std::transform(perExtent.begin(), perExtent.end(), light.flux.begin(),
+        [&](double value) { return value * distant.extent(); });
+      add(light);
+    };
+    if (!sky.sunIrradiance.empty())
+    {
+      addDistant(DistantLight::sunOf(sky), sky.sunIrradiance);
+    }
+    if (!sky.radiance.empty())
+    {
+      addDistant(DistantLight(sky), sky.bandWeights);
+    }
+  }
+  void add(const Light& light)
+  {
+    if (light.totalFlux() > 0)
+    {
+      cumulative_.push_back((cumulative_.empty() ? 0.0 : cumulative_.back()) + light.totalFlux());
+      lights_.push_back(light);
+      if (!light.surface())
+      {
+        boundsInAir_.add(light.bounds());
+        mayTouchWalls_ = mayTouchWalls_ || !light.distant();
+      }
+    }
+  }
 
   std::vector<Light> lights_;
   std::vector<double> cumulative_; ///< W, up to and including each light

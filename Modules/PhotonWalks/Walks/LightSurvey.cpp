@@ -115,16 +115,7 @@ LightSurvey::Group groupOf(
   return group;
 }
 
-/// Of static objects, W.
-double staticFlux(const LightTable& table)
-{
-  return std::accumulate(
-    table.lights().begin(), table.lights().end(), 0.0, [](double sum, const Light& light) {
-      return sum + (light.cell.object == 0 ? light.totalFlux() : 0);
-    });
-}
-
-/// What different groups send is not alike in its places: their product is that of their means.
+/// What different sources send is not alike in its places: their product is that of their means.
 double unevennessOf(const std::vector<WalkSource>& sources, const std::vector<FirstHits>& hits,
   const std::vector<LightSurvey::Group>& groups)
 {
@@ -273,7 +264,11 @@ double LightSurvey::gatheredVariance() const
   {
     if (group.isGathered())
     {
-      sum += group.variance * staticFlux(group.lamps->lights());
+      const std::vector<Light>& lights = group.lamps->lights().lights();
+      sum += group.variance *
+        std::accumulate(lights.begin(), lights.end(), 0.0, [](double watts, const Light& light) {
+          return watts + (light.cell.object == 0 ? light.totalFlux() : 0);
+        });
       flux += group.lamps->lights().flux();
     }
   }
