@@ -103,8 +103,6 @@ public:
   std::uint32_t endWalk() const { return firstWalk_ + numberOfWalks_; }
   std::uint32_t numberOfWalks() const { return numberOfWalks_; }
   const PointGrid& grid() const { return grid_; }
-  /// All slots, free ones included.
-  std::uint32_t slots() const { return size_; }
   bool isFree(std::uint32_t slot) const { return tag(slot) == BounceTag::kFree; }
 
   /// Stores rows [first, first + count) of a front, all of walks of this block, and writes the slot

@@ -301,34 +301,28 @@ void WalkRepair::removeOld(RepairWork& work, FrontTally& tally)
         block.prefetch(after);
       }
     }
-    const Power carried = state_.history.power(SegmentPlace{ rows.block[row], rows.slot[row] });
+    const SegmentPlace place{ rows.block[row], rows.slot[row] };
+    const SegmentRef first{ rows.walk[row], rows.bounce[row] };
+    const Power carried = state_.history.power(place);
     if (bands > 1)
     {
       rows.setPower(row, bands, carried);
     }
     starting += carried;
-    remove(work, row);
+    if (state_.changes || state_.tails)
+    {
+      work.firsts.push_back(first);
+    }
+    if (state_.changes)
+    {
+      state_.history.forEachPhotonFrom(
+        place, first, [&](const Photon& photon) { work.changes.gone.push_back(photon); });
+    }
+    const BounceBlock& block = state_.history.block(place.block);
+    state_.history.removeFrom(
+      place, [&](std::uint32_t slot) { addStored(block, slot, bands, work.old); });
   }
   tally.remove(work.old, starting);
-}
-
-void WalkRepair::remove(RepairWork& work, std::size_t row)
-{
-  const WalkFront& rows = work.batch.front();
-  const SegmentPlace place{ rows.block[row], rows.slot[row] };
-  const SegmentRef first{ rows.walk[row], rows.bounce[row] };
-  if (state_.changes || state_.tails)
-  {
-    work.firsts.push_back(first);
-  }
-  if (state_.changes)
-  {
-    state_.history.forEachPhotonFrom(
-      place, first, [&](const Photon& photon) { work.changes.gone.push_back(photon); });
-  }
-  const BounceBlock& block = state_.history.block(place.block);
-  state_.history.removeFrom(
-    place, [&](std::uint32_t slot) { addStored(block, slot, state_.history.bands(), work.old); });
 }
 
 bool WalkRepair::shoot(RepairWork& work, const std::function<bool()>& hasToStop)

@@ -95,7 +95,6 @@ private:
   std::unique_ptr<RepairWork> take();
   /// Removes the old tails of the front.
   void removeOld(RepairWork& work, FrontTally& tally);
-  void remove(RepairWork& work, std::size_t row);
   /// Shoots the new ones; returns whether they are done.
   bool shoot(RepairWork& work, const std::function<bool()>& hasToStop);
   void finish(std::unique_ptr<RepairWork>& work);

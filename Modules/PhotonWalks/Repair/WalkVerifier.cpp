@@ -116,9 +116,31 @@ void WalkVerifier::cast(Memory& memory, bool byAllDynamic) const
   {
     memory.rays.find(tracer_, history_, suspects->rows);
   }
-  castBlocked(memory, byAllDynamic);
+  // The old hit is not on a moved object. It is valid unless a moved object came in front of it.
+  WalkFront& blocked = memory.blocked.rows;
+  tracer_.findDistances(blocked, memory.cast);
+  for (std::size_t row = 0; cachesStaticHits_ && row < blocked.size; ++row)
+  {
+    if (!isDynamic(blocked.hit[row]))
+    {
+      memory.blocked.known[row] = { blocked.distance[row], blocked.hit[row],
+        { blocked.weightB[row], blocked.weightC[row] } };
+    }
+  }
+  byAllDynamic ? tracer_.castDynamic(blocked, memory.cast)
+               : tracer_.castMoved(blocked, memory.cast);
   tracer_.cast(memory.lost.rows, memory.cast); // the object that was hit moved, or objects touch
-  castUncovered(memory);
+  // Dynamic objects hid a static hit that is known.
+  WalkFront& uncovered = memory.uncovered.rows;
+  for (std::size_t row = 0; row < uncovered.size; ++row)
+  {
+    const HiddenHit& known = memory.uncovered.known[row];
+    uncovered.distance[row] = known.distance;
+    uncovered.hit[row] = known.triangle;
+    uncovered.weightB[row] = known.weights[0];
+    uncovered.weightC[row] = known.weights[1];
+  }
+  tracer_.castDynamic(uncovered, memory.cast);
 }
 
 /// Decides for each flagged segment of a block how to find out whether it is stale. Those at whose
@@ -204,37 +226,6 @@ bool WalkVerifier::isTouching(const BounceBlock& block, std::uint32_t slot) cons
   const std::uint32_t start =
     parent == BounceBlock::kNone ? tracer_.startOf(block.walkOf(slot)) : block.triangle(parent);
   return tracer_.hasContact(hit) || tracer_.isContact(start, hit);
-}
-
-/// The old hit is not on a moved object. It is valid unless a moved object came in front of it.
-void WalkVerifier::castBlocked(Memory& memory, bool byAllDynamic) const
-{
-  WalkFront& rows = memory.blocked.rows;
-  tracer_.findDistances(rows, memory.cast);
-  for (std::size_t row = 0; cachesStaticHits_ && row < rows.size; ++row)
-  {
-    if (!isDynamic(rows.hit[row]))
-    {
-      memory.blocked.known[row] = { rows.distance[row], rows.hit[row],
-        { rows.weightB[row], rows.weightC[row] } };
-    }
-  }
-  byAllDynamic ? tracer_.castDynamic(rows, memory.cast) : tracer_.castMoved(rows, memory.cast);
-}
-
-/// Dynamic objects hid a static hit that is known.
-void WalkVerifier::castUncovered(Memory& memory) const
-{
-  WalkFront& rows = memory.uncovered.rows;
-  for (std::size_t row = 0; row < rows.size; ++row)
-  {
-    const HiddenHit& known = memory.uncovered.known[row];
-    rows.distance[row] = known.distance;
-    rows.hit[row] = known.triangle;
-    rows.weightB[row] = known.weights[0];
-    rows.weightC[row] = known.weights[1];
-  }
-  tracer_.castDynamic(rows, memory.cast);
 }
 
 /// Segments whose hit moved are stale even if the same triangle is found again: its normal and the

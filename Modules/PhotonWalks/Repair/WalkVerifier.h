@@ -110,8 +110,6 @@ private:
   /// Finds the rays of all suspects, and their hits. `byAllDynamic`: a blocked ray may hit any
   /// dynamic object, not only those that moved.
   void cast(Memory& memory, bool byAllDynamic) const;
-  void castBlocked(Memory& memory, bool byAllDynamic) const;
-  void castUncovered(Memory& memory) const;
   void noteFirst(std::size_t firstBlock, Memory& memory) const;
   /// Where objects touch, the hit may be the same and yet depend on other objects than before: then
   /// it is stored again as well.

@@ -144,15 +144,6 @@ double unevennessOf(const std::vector<WalkSource>& sources, const std::vector<Fi
   return power > 0 ? std::max(1.0, squares * area / (power * power)) : 1;
 }
 
-/// How many times as many walks those near lights shoot, beside which others start at cells: with
-/// as little power, as the noise of both is to cost alike.
-double timesAtLights(double reflected, const WalkPlan& plan)
-{
-  constexpr double kLeast = 0.25;
-  constexpr std::uint32_t kMost = std::uint32_t{ 1 } << 28; // walks have numbers of 32 bits
-  return plan.most() < kMost ? 1 / std::clamp(reflected, kLeast, 1.0) : 1;
-}
-
 /// Parts a source by how its lights are best known. `atLights`: see deal().
 std::vector<WalkSource> partsOf(const WalkSource& source, const LightSurvey::Group& group,
   double atLights, const FewestSamples& fewestSamples)
@@ -319,7 +310,12 @@ std::vector<WalkSource> directSourcesOf(const SceneObjects& objects,
     survey.groups().begin(), survey.groups().end(), std::mem_fn(&LightSurvey::Group::isGathered));
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
-    const double atLights = isAnyGathered ? timesAtLights(reflected, sources[i].plan) : 1;
+    // Walks of near lights, beside which others start at cells, have as little power as these, as
+    // the noise of both is to cost alike.
+    constexpr double kLeast = 0.25;
+    constexpr std::uint32_t kMost = std::uint32_t{ 1 } << 28; // walks have numbers of 32 bits
+    const double atLights =
+      isAnyGathered && sources[i].plan.most() < kMost ? 1 / std::clamp(reflected, kLeast, 1.0) : 1;
     for (WalkSource& part : partsOf(sources[i], survey.groups()[i], atLights, fewestSamples))
     {
       if (!part.cells)

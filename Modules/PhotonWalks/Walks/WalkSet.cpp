@@ -437,14 +437,18 @@ BounceScan WalkSet::scanOf(const std::vector<bool>& moved, const Frame& frame) c
   return scan;
 }
 
-void WalkSet::loseHits(const KeptParts& kept, const CancelPoint& cancelPoint)
+void WalkSet::replaceCells(const Frame& frame, const CancelPoint& cancelPoint)
 {
-  history_.forgetHiddenHits();
-  for (std::size_t i = 0; i < history_.size(); ++i)
+  if (!frame.kept.areAll())
+  {
+    history_.forgetHiddenHits();
+  }
+  // What hit parts that are gone counts as escaped until it is cast again.
+  for (std::size_t i = 0; !frame.kept.areAll() && i < history_.size(); ++i)
   {
     BounceBlock& block = history_.block(i);
     block.forEach([&](std::uint32_t slot) {
-      if (kept.isGone(block.triangle(slot)))
+      if (frame.kept.isGone(block.triangle(slot)))
       {
         const Power carried = block.power(slot);
         balance_.absorbed -= carried;
@@ -454,14 +458,6 @@ void WalkSet::loseHits(const KeptParts& kept, const CancelPoint& cancelPoint)
       }
     });
     cancelPoint();
-  }
-}
-
-void WalkSet::replaceCells(const Frame& frame, const CancelPoint& cancelPoint)
-{
-  if (!frame.kept.areAll())
-  {
-    loseHits(frame.kept, cancelPoint);
   }
   sums_.replace(frame.objects, frame.kept.staticCells, cancelPoint);
   history_.renumber(frame.triangles.numbers(), frame.kept.triangles);

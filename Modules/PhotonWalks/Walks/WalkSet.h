@@ -240,8 +240,6 @@ private:
   /// were shot.
   void followWalks(const std::vector<bool>& moved, const Repainted& repainted, const Frame& frame,
     PhotonChanges* changes, Execution& execution);
-  /// What hit parts that are gone counts as escaped until it is cast again.
-  void loseHits(const KeptParts& kept, const CancelPoint& cancelPoint);
   DirectGather::Totals totals() { return { sums_, balance_, blocks_ }; }
   /// What a motion may change, to be looked for among stored segments.
   BounceScan scanOf(const std::vector<bool>& moved, const Frame& frame) const;
