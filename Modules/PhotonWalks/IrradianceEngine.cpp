@@ -214,21 +214,6 @@ void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& 
   }
 }
 
-void IrradianceEngine::collectPhotons(Execution& execution)
-{
-  assert(storesWalks());
-  if (photons_)
-  {
-    return;
-  }
-  auto photons = std::make_unique<LeafPhotons>(objects());
-  inParts(walks_.sets().size(), execution, [&](std::size_t i, Execution& part) {
-    const WalkHistory& history = walks_.sets()[i].history();
-    photons->add(history, 0, history.size(), part);
-  });
-  photons_ = std::move(photons);
-}
-
 void IrradianceEngine::commitScene(Execution& execution)
 {
   Scene& scene = frame_.scene;
@@ -268,22 +253,6 @@ void IrradianceEngine::follow(const FrameChange& change, Execution& execution)
   {
     walks_.shootMissing(storesWalks(), frame_, shooting);
   }
-}
-
-void IrradianceEngine::repair(Execution& execution)
-{
-  if (settings_.gathersDirectLight)
-  {
-    photons_.reset(); // walks that are born are not among the changes
-  }
-  PhotonChanges changes;
-  walks_.follow(frame_, photons_ ? &changes : nullptr, execution);
-  const double start = steadySeconds();
-  if (photons_)
-  {
-    photons_->apply(objects(), walks_.histories(), changes, execution);
-  }
-  statistics_.repairSeconds = steadySeconds() - start;
 }
 
 void IrradianceEngine::shootOnce(bool isFresh, Execution& execution)
@@ -336,15 +305,6 @@ void IrradianceEngine::reachTarget(Execution& execution)
   {
     throw Interrupted();
   }
-}
-
-double IrradianceEngine::expectedGrowth() const
-{
-  const double walks = walks_.plan().most() / double(walks_.plan().walksAfter(rounds_.walks));
-  const double rays = std::ldexp(1, static_cast<int>(estimator_->mostRayRounds() - rounds_.rays));
-  // The error falls with the square root of the numbers.
-  const double ratio = miss_.reached / settings_.targetRelativeError;
-  return std::max(2.0, std::min(ratio * ratio, std::max(walks, rays)));
 }
 
 }

@@ -114,7 +114,20 @@ public:
   /// Collects the photons of the history, unless that was done before; then updates keep them up to
   /// date, or forget them where direct light is gathered. Those are then photons of indirect light
   /// alone. Needs stored walks. Throws Interrupted.
-  void collectPhotons(Execution& execution);
+  void collectPhotons(Execution& execution)
+  {
+    assert(storesWalks());
+    if (photons_)
+    {
+      return;
+    }
+    auto photons = std::make_unique<LeafPhotons>(objects());
+    inParts(walks_.sets().size(), execution, [&](std::size_t i, Execution& part) {
+      const WalkHistory& history = walks_.sets()[i].history();
+      photons->add(history, 0, history.size(), part);
+    });
+    photons_ = std::move(photons);
+  }
   /// What was collected.
   const LeafPhotons& photons() const { return *photons_; }
   /// Prepares the surfaces of all objects, on which sensors stand, unless that was done before.
@@ -149,7 +162,21 @@ private:
     photons_.reset();
   }
   void follow(const FrameChange& change, Execution& execution);
-  void repair(Execution& execution);
+  void repair(Execution& execution)
+  {
+    if (settings_.gathersDirectLight)
+    {
+      photons_.reset(); // walks that are born are not among the changes
+    }
+    PhotonChanges changes;
+    walks_.follow(frame_, photons_ ? &changes : nullptr, execution);
+    const double start = steadySeconds();
+    if (photons_)
+    {
+      photons_->apply(objects(), walks_.histories(), changes, execution);
+    }
+    statistics_.repairSeconds = steadySeconds() - start;
+  }
   void shootRound(std::size_t round, Execution& execution)
   {
     photons_.reset(); // they are collected again, with this round
@@ -161,7 +188,14 @@ private:
   /// need: what remains is what a new engine would have.
   void reachTarget(Execution& execution);
   /// An estimate, after some rounds, of how much more there will be of all that was done.
-  double expectedGrowth() const;
+  double expectedGrowth() const
+  {
+    const double walks = walks_.plan().most() / double(walks_.plan().walksAfter(rounds_.walks));
+    const double rays = std::ldexp(1, static_cast<int>(estimator_->mostRayRounds() - rounds_.rays));
+    // The error falls with the square root of the numbers.
+    const double ratio = miss_.reached / settings_.targetRelativeError;
+    return std::max(2.0, std::min(ratio * ratio, std::max(walks, rays)));
+  }
   /// Estimates the cells from the first rounds.
   void estimate(const EstimateRounds& rounds, Execution& execution)
   {

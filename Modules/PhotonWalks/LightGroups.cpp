@@ -60,6 +60,7 @@ void LightGroups::update(const Asked& asked, Execution& execution)
 {
   isValid_ = false;
   ++state_;
+  lit_.clear();
   findGroups(asked, execution.ranks());
   std::vector<LightGroup*> lit;
   std::map<std::string, Member> members;
@@ -92,6 +93,7 @@ void LightGroups::update(const Asked& asked, Execution& execution)
     left -= execution.ranks().areSeveral() ? share : lit[i]->engine->statistics().repairSeconds;
   }
   any_ = lit.front()->engine;
+  lit_ = std::move(lit);
   isValid_ = true;
 }
 
@@ -108,15 +110,6 @@ void LightGroups::updateLit(
   asked.check(objects, settings);
   member.engine->update(objects, settings, execution);
   group.engine = member.engine;
-}
-
-double LightGroupErrors::standardErrorOf(
-  const std::string& group, const CellSide& cell, int band) const
-{
-  const auto part = std::find_if(
-    parts_.begin(), parts_.end(), [&](const Part& some) { return some.group.name == group; });
-  return part == parts_.end() ? 0
-                              : shown(*part, cell, band, part->errors.standardError(cell, band));
 }
 
 double LightGroupErrors::standardError(const CellSide& cell, int band) const
@@ -136,19 +129,6 @@ double LightGroupErrors::standardError(const CellSide& cell, int band) const
   }
   const bool isKnown = groups_.irradiance(cell, band) >= ErrorEstimate::kFewestPhotons * doubtful;
   return isKnown ? std::sqrt(square) : std::numeric_limits<double>::quiet_NaN();
-}
-
-double LightGroupErrors::ofPhoton(const CellSide& cell, int band) const
-{
-  double most = 0, mostOfLit = 0;
-  for (const Part& part : parts_)
-  {
-    const double photon = shown(part, cell, band, part.errors.quantaPerPhoton(cell, band));
-    most = std::max(most, photon);
-    mostOfLit =
-      part.group.engine->irradiance(cell, band) > 0 ? std::max(mostOfLit, photon) : mostOfLit;
-  }
-  return mostOfLit > 0 ? mostOfLit : most;
 }
 
 }

@@ -12,8 +12,6 @@ namespace irradiance
 namespace
 {
 
-constexpr std::uint8_t kManyBounces = 255;
-
 std::uint8_t tagOf(std::uint8_t kind, GridSegments::State state)
 {
   constexpr std::uint8_t kTooFar = BounceTag::kAlways | BounceTag::kOpen;
@@ -34,37 +32,6 @@ void copySome(const Value* from, std::size_t count, Value* to)
   std::copy_n(from, count, to);
 }
 
-}
-
-void BounceBlock::addPage()
-{
-  if (pages_.size() == pages_.capacity())
-  {
-    pages_.reserve(2 * pages_.size() + 1); // now, so that a page that was taken is never lost
-  }
-  auto* const page = static_cast<BouncePage*>(arena_->take());
-  pages_.push_back(page);
-  std::memset(page->tags, BounceTag::kFree, sizeof page->tags);
-}
-
-std::uint32_t BounceBlock::newSlot()
-{
-  if (!free_.empty())
-  {
-    const std::uint32_t slot = free_.back();
-    free_.pop_back();
-    return slot;
-  }
-  while (size_ % kPart >= kCrossing)
-  {
-    ++size_; // a slot that no link can name; its tag stays free
-  }
-  const std::uint32_t slot = size_++;
-  if (pages_.size() * BouncePage::kSize <= slot)
-  {
-    addPage();
-  }
-  return slot;
 }
 
 void BounceBlock::append(
@@ -184,22 +151,6 @@ void BounceBlock::link(std::uint32_t parent, std::uint32_t slot)
   }
 }
 
-/// From the segment before it.
-void BounceBlock::unlink(std::uint32_t slot)
-{
-  const std::uint32_t parent = previous(slot);
-  if (parent == kNone)
-  {
-    return;
-  }
-  pageOf(parent).children[parent % BouncePage::kSize] = kEnd;
-  if (partOf(parent) != partOf(slot))
-  {
-    children_.erase(parent);
-    parents_.erase(slot);
-  }
-}
-
 void BounceBlock::removeFrom(std::uint32_t slot)
 {
   unlink(slot);
@@ -218,17 +169,6 @@ void BounceBlock::removeFrom(std::uint32_t slot)
     }
     slot = after;
   }
-}
-
-std::uint32_t BounceBlock::bounceOf(std::uint32_t slot) const
-{
-  std::uint32_t more = 0;
-  while (pageOf(slot).bounces[slot % BouncePage::kSize] == kManyBounces)
-  {
-    slot = previous(slot);
-    ++more;
-  }
-  return pageOf(slot).bounces[slot % BouncePage::kSize] + more;
 }
 
 }

@@ -55,13 +55,10 @@ struct BounceColumns
  * The stored walks of consecutive numbers, at most WalkPlan::kWalksPerBlock, by bounces: a front of
  * walks is appended as it was shot.
  *
- * Each segment has a slot, which it keeps. The first segment of a walk is in the slot of the walk's
- * number, counted from the first; from there links lead to the segment after, and back to the one
- * before. Slots of tails that were removed are tagged as free and used again; nothing is ever
- * moved. So a slot names a segment for as long as it is stored, to photons as well.
- *
- * Slots lie in pages of 256, taken from an arena. Links have 16 bits: what links lead from one part
- * of 64 K slots to another is listed aside. That takes 64 segments a walk.
+ * Each segment has a slot, which it keeps; nothing is ever moved. So a slot names a segment for as
+ * long as it is stored, to photons as well. Documentation/Architecture.md shows how slots lie in
+ * pages. Links have 16 bits: what links lead from one part of 64 K slots to another is listed
+ * aside. That takes 64 segments a walk.
  *
  * The cache of static hits (section 3.3 of the paper) stands beside it, by slot: see HiddenHit.
  */
@@ -182,7 +179,16 @@ public:
     forEachFrom(begin(walk), [&](std::uint32_t slot) { last = slot; });
     return last;
   }
-  std::uint32_t bounceOf(std::uint32_t slot) const;
+  std::uint32_t bounceOf(std::uint32_t slot) const
+  {
+    std::uint32_t more = 0;
+    while (pageOf(slot).bounces[slot % BouncePage::kSize] == kManyBounces)
+    {
+      slot = previous(slot);
+      ++more;
+    }
+    return pageOf(slot).bounces[slot % BouncePage::kSize] + more;
+  }
   SegmentRef segmentAt(std::uint32_t slot) const { return { walkOf(slot), bounceOf(slot) }; }
 
   // What is known of a segment.
@@ -264,6 +270,7 @@ private:
   static constexpr std::uint16_t kEnd = 0xffff;      ///< a link to nothing
   static constexpr std::uint16_t kCrossing = 0xfffe; ///< a link that is listed aside
   static constexpr std::uint32_t kPart = 1u << 16;
+  static constexpr std::uint8_t kManyBounces = 255; ///< these, or more
 
   static std::uint32_t partOf(std::uint32_t slot) { return slot & ~(kPart - 1); }
   BouncePage& pageOf(std::uint32_t slot) const { return *pages_[slot / BouncePage::kSize]; }
@@ -276,15 +283,56 @@ private:
     auto* const powers = reinterpret_cast<std::int64_t*>(pages_[slot / BouncePage::kSize] + 1);
     return powers + std::size_t{ slot % BouncePage::kSize } * bands_;
   }
-  std::uint32_t newSlot();
-  void addPage();
+  std::uint32_t newSlot()
+  {
+    if (!free_.empty())
+    {
+      const std::uint32_t slot = free_.back();
+      free_.pop_back();
+      return slot;
+    }
+    while (size_ % kPart >= kCrossing)
+    {
+      ++size_; // a slot that no link can name; its tag stays free
+    }
+    const std::uint32_t slot = size_++;
+    if (pages_.size() * BouncePage::kSize <= slot)
+    {
+      addPage();
+    }
+    return slot;
+  }
+  void addPage()
+  {
+    if (pages_.size() == pages_.capacity())
+    {
+      pages_.reserve(2 * pages_.size() + 1); // now, so that a page that was taken is never lost
+    }
+    auto* const page = static_cast<BouncePage*>(arena_->take());
+    pages_.push_back(page);
+    std::memset(page->tags, BounceTag::kFree, sizeof page->tags);
+  }
   void appendSome(
     const BounceColumns& front, std::size_t first, std::size_t count, std::uint32_t* slots);
   void prefetchToStore(std::uint32_t slot, std::uint32_t parent) const;
   void storeRun(const BounceColumns& front, std::size_t row, const GridSegments& segments,
     std::size_t at, std::uint32_t slot, std::size_t count);
   void link(std::uint32_t parent, std::uint32_t slot);
-  void unlink(std::uint32_t slot);
+  /// From the segment before it.
+  void unlink(std::uint32_t slot)
+  {
+    const std::uint32_t parent = previous(slot);
+    if (parent == kNone)
+    {
+      return;
+    }
+    pageOf(parent).children[parent % BouncePage::kSize] = kEnd;
+    if (partOf(parent) != partOf(slot))
+    {
+      children_.erase(parent);
+      parents_.erase(slot);
+    }
+  }
 
   BlockArena* arena_;
   std::uint32_t firstWalk_, numberOfWalks_;

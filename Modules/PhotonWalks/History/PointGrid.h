@@ -36,16 +36,9 @@ struct PointGrid
   Vector3 world(const Vector3& place) const { return center + place.cwiseProduct(step); }
 };
 
-/**
- * The grid of a scene. `bounds`: of all geometry and point lights. Let m be the median, axis by
- * axis, of points spread evenly over all surfaces, and s the median of their distances from it,
- * along the axis on which that is largest. Half of all area has to be far away before it moves
- * them.
- *
- * The grid holds all of an axis on which nothing is farther than 32 s from m, so all of an ordinary
- * scene. Otherwise it holds what is within 16 s there, and in any case all dynamic objects that are
- * within 32 s.
- */
+/// The grid of a scene: all of an ordinary one; where things are far away, what is near to most
+/// surfaces, and what moves there. Documentation/Theory.md says how far. `bounds`: of all geometry
+/// and point lights.
 PointGrid pointGrid(
   const SceneObjects& objects, const Box& bounds, const CancelPoint& cancelPoint = {});
 

@@ -155,16 +155,6 @@ std::vector<DistantLight::Part> DistantLight::partsOfSky() const
   return parts;
 }
 
-bool DistantLight::mayComeTo(const Vector3& normal) const
-{
-  const double level = std::hypot(normal[0], normal[1]);
-  return std::any_of(parts_->begin(), parts_->end(), [&](const Part& part) {
-    const double height = normal[2] > 0 ? part.upper : part.lower;
-    return normal.dot(part.middle) > -part.radius && // more than its sine
-      (!isSky() || normal[2] * height + level > 0);
-  });
-}
-
 /// By rejection, which is rare: a disc is small.
 Vector3 DistantLight::sampleDisc(std::array<double, 2> u) const
 {
@@ -227,20 +217,6 @@ Ray DistantLight::leaving(
     }
     rest -= seen;
   }
-}
-
-Vector3 DistantLight::entry(const Vector3& place, const Vector3& direction) const
-{
-  const bool isInside =
-    (place.array() >= lit_.lower.array()).all() && (place.array() <= lit_.upper.array()).all();
-  double length = isInside ? kInfinity : (place - lit_.center()).norm() + lit_.extent().norm();
-  for (int axis = 0; axis < 3 && isInside; ++axis)
-  {
-    const double end = direction[axis] > 0 ? lit_.upper[axis] : lit_.lower[axis];
-    length =
-      direction[axis] != 0 ? std::min(length, (end - place[axis]) / direction[axis]) : length;
-  }
-  return place + length * direction;
 }
 
 }

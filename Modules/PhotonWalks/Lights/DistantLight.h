@@ -49,7 +49,19 @@ public:
   }
   /// Where light that comes from a direction and reaches a place enters the box; for a place
   /// outside, before it could meet anything.
-  Vector3 entry(const Vector3& place, const Vector3& direction) const;
+  Vector3 entry(const Vector3& place, const Vector3& direction) const
+  {
+    const bool isInside =
+      (place.array() >= lit_.lower.array()).all() && (place.array() <= lit_.upper.array()).all();
+    double length = isInside ? kInfinity : (place - lit_.center()).norm() + lit_.extent().norm();
+    for (int axis = 0; axis < 3 && isInside; ++axis)
+    {
+      const double end = direction[axis] > 0 ? lit_.upper[axis] : lit_.lower[axis];
+      length =
+        direction[axis] != 0 ? std::min(length, (end - place[axis]) / direction[axis]) : length;
+    }
+    return place + length * direction;
+  }
 
   /// A part of the sky, alike from pole to pole and around in the sine of the angle, or the sun.
   struct Part
@@ -63,7 +75,15 @@ public:
   };
   const std::vector<Part>& parts() const { return *parts_; }
   /// Whether any of it may come to the front of a plane, roughly. `normal`: a unit vector.
-  bool mayComeTo(const Vector3& normal) const;
+  bool mayComeTo(const Vector3& normal) const
+  {
+    const double level = std::hypot(normal[0], normal[1]);
+    return std::any_of(parts_->begin(), parts_->end(), [&](const Part& part) {
+      const double height = normal[2] > 0 ? part.upper : part.lower;
+      return normal.dot(part.middle) > -part.radius && // more than its sine
+        (!isSky() || normal[2] * height + level > 0);
+    });
+  }
   /// A place of a part that the unit square chooses, with what its light brings.
   struct Sample
   {

@@ -77,19 +77,6 @@ void addParts(const Light& light, const DistantLight& distant, std::uint32_t num
 
 }
 
-double LampCone::leaving(double ofDirection, double size) const
-{
-  const double ofSize = std::sqrt(1 - size * size);
-  const double sineOfDirection = std::sqrt(std::max(0.0, 1 - ofDirection * ofDirection));
-  const bool isWithin = ofDirection >= ofSize;
-  const double nearest = isWithin ? 1 : ofDirection * ofSize + sineOfDirection * size;
-  const double sineOfNearest =
-    isWithin ? 0 : std::abs(sineOfDirection * ofSize - ofDirection * size);
-  const double lower = nearest <= -cosine ? -1 : nearest * cosine - sineOfNearest * sine;
-  const double upper = nearest >= cosine ? 1 : nearest * cosine + sineOfNearest * sine;
-  return positivePart(lower, upper);
-}
-
 void addPieces(
   const Light& light, std::uint32_t number, double shortest, std::vector<LampPiece>& pieces)
 {

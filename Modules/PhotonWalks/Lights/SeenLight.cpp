@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Lights/SeenLight.h"
 
-#include "Sampling/WeightChoice.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -150,17 +148,6 @@ SeenLight::Sample SeenLight::sample(const std::array<double, 2>& u, const LitPoi
     sample.over = square;
   }
   return sample;
-}
-
-std::pair<Vector3, double> SeenLight::weightsAt(std::array<double, 2> u) const
-{
-  const double mean = 0.25 * (density_[0] + 2 * density_[1] + density_[2]);
-  u[1] = sampleLinear(u[1], density_[1], 0.5 * (density_[0] + density_[2]));
-  const double first = (1 - u[1]) * density_[1] + u[1] * density_[0],
-               last = (1 - u[1]) * density_[1] + u[1] * density_[2];
-  u[0] = sampleLinear(u[0], first, last);
-  const double density = (1 - u[0]) * first + u[0] * last;
-  return { weights_ * seen_->sample(u), density > 0 ? seen_->solidAngle() * mean / density : 0 };
 }
 
 }

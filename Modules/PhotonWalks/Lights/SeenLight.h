@@ -4,6 +4,7 @@
 
 #include "Lights/LampPiece.h"
 #include "Sampling/SphericalTriangle.h"
+#include "Sampling/WeightChoice.h"
 
 #include <array>
 #include <optional>
@@ -95,7 +96,16 @@ private:
   SeenLight between(std::array<Corner, 3> corners, const LitPoint& point, By by) const;
   /// The weights of the piece's corners that a place of the unit square chooses, and the solid
   /// angle for which it stands.
-  std::pair<Vector3, double> weightsAt(std::array<double, 2> u) const;
+  std::pair<Vector3, double> weightsAt(std::array<double, 2> u) const
+  {
+    const double mean = 0.25 * (density_[0] + 2 * density_[1] + density_[2]);
+    u[1] = sampleLinear(u[1], density_[1], 0.5 * (density_[0] + density_[2]));
+    const double first = (1 - u[1]) * density_[1] + u[1] * density_[0],
+                 last = (1 - u[1]) * density_[1] + u[1] * density_[2];
+    u[0] = sampleLinear(u[0], first, last);
+    const double density = (1 - u[0]) * first + u[0] * last;
+    return { weights_ * seen_->sample(u), density > 0 ? seen_->solidAngle() * mean / density : 0 };
+  }
 
   const Light* light_ = nullptr;
   const LampPiece* piece_ = nullptr;

@@ -137,18 +137,6 @@ void StaleWalks::forget(const WalkHistory& history, std::uint32_t walk)
   forgetRepaired(block);
 }
 
-std::int64_t StaleWalks::gainOf(
-  std::uint32_t walk, std::uint32_t bounce, const Power& incoming) const
-{
-  // No band ever carries more than the strongest does now.
-  std::int64_t received = isBoundKnown() ? incoming.largest() : 0;
-  while (isBoundKnown() && samples_.sample(walk, ++bounce, SampleUse::Survival)[0] < reflectance_)
-  {
-    received += incoming.largest();
-  }
-  return received;
-}
-
 void StaleWalks::tally(const WalkHistory& history, const StaleMark& mark, std::uint32_t end,
   int sign, std::vector<Deposit>& deposits) const
 {

@@ -168,7 +168,16 @@ private:
    * it survives a hit is decided by its own samples, so the bound is certain, not a mean; 0 if it
    * is not known. `incoming`: what segment `bounce` carries. See Documentation/Theory.md, 4.1.
    */
-  std::int64_t gainOf(std::uint32_t walk, std::uint32_t bounce, const Power& incoming) const;
+  std::int64_t gainOf(std::uint32_t walk, std::uint32_t bounce, const Power& incoming) const
+  {
+    // No band ever carries more than the strongest does now.
+    std::int64_t received = isBoundKnown() ? incoming.largest() : 0;
+    while (isBoundKnown() && samples_.sample(walk, ++bounce, SampleUse::Survival)[0] < reflectance_)
+    {
+      received += incoming.largest();
+    }
+    return received;
+  }
 
   std::vector<Block> blocks_;
   CellSums sums_;

@@ -38,18 +38,6 @@ struct WalkRepair::Unit
   double seconds = 0;    ///< spent on it
 };
 
-std::unique_ptr<RepairWork> WalkRepair::take()
-{
-  std::unique_ptr<RepairWork> work = state_.pool.take();
-  work->batch.begin(state_.tracer, &state_.history);
-  work->verifier.hidden.clear();
-  work->firsts.clear();
-  work->changes.gone.clear();
-  work->changes.arrived.clear();
-  work->areBorn = work->hasBegun = false;
-  return work;
-}
-
 void WalkRepair::verifyAndRepair(Execution& execution)
 {
   std::vector<std::unique_ptr<RepairWork>> open(state_.history.size()); // by unit
@@ -346,36 +334,6 @@ bool WalkRepair::shoot(RepairWork& work, const std::function<bool()>& hasToStop)
   }
   addLocked(balance, state_.balance, mutex_);
   return isDone;
-}
-
-void WalkRepair::finish(std::unique_ptr<RepairWork>& work)
-{
-  const std::vector<SegmentPlace>& places = work->batch.places();
-  for (std::size_t i = 0; i < work->verifier.hidden.size(); ++i)
-  {
-    if (work->verifier.hidden[i].isKnown())
-    {
-      state_.history.setHidden(places[i], work->verifier.hidden[i]);
-    }
-  }
-  for (std::size_t i = 0; state_.changes && i < places.size(); ++i)
-  {
-    state_.history.forEachPhotonFrom(places[i], work->firsts[i],
-      [&](const Photon& photon) { work->changes.arrived.push_back(photon); });
-  }
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    figures_.repairedSegments += work->batch.numberOfSegments();
-    if (state_.changes)
-    {
-      state_.changes->add(work->changes);
-    }
-    if (state_.tails)
-    {
-      state_.tails->insert(state_.tails->end(), work->firsts.begin(), work->firsts.end());
-    }
-  }
-  state_.pool.giveBack(std::move(work));
 }
 
 }

@@ -134,19 +134,6 @@ void SceneLamps::update(const SceneObjects& objects)
   }
 }
 
-Bands SceneLamps::brightest(std::uint32_t group) const
-{
-  Bands most{};
-  for (const OfObject& object : objects_)
-  {
-    if (object.isPresent && group < object.brightest.size())
-    {
-      most = larger(most, object.brightest[group]);
-    }
-  }
-  return most;
-}
-
 SceneObjects GroupLamps::only(const SceneObjects& objects, const SceneLamps* scene,
   std::uint32_t group, const Bands& scale, bool hasSky)
 {

@@ -145,21 +145,6 @@ void CellSums::add(const std::vector<Deposit>& deposits)
   }
 }
 
-void CellSums::addCounts(std::int32_t* counts, std::int64_t quanta)
-{
-  for (std::size_t i = 0; i < sums_.size();)
-  {
-    const std::size_t part = i >> partShift(),
-                      end = std::min((part + 1) << partShift(), sums_.size());
-    const std::lock_guard<std::mutex> lock((*mutexes_)[part]);
-    for (; i < end; ++i)
-    {
-      sums_[i] += counts[i] * quanta;
-      counts[i] = 0;
-    }
-  }
-}
-
 void CellSums::add(const CellSums& others, const CancelPoint& cancelPoint)
 {
   assert(others.sums_.size() == sums_.size());

@@ -127,7 +127,20 @@ public:
   void add(const std::vector<Deposit>& deposits);
   /// Adds counts of photons of one power, one for each slot of the sums, and sets them to 0. May be
   /// called by many threads at once.
-  void addCounts(std::int32_t* counts, std::int64_t quanta);
+  void addCounts(std::int32_t* counts, std::int64_t quanta)
+  {
+    for (std::size_t i = 0; i < sums_.size();)
+    {
+      const std::size_t part = i >> partShift(),
+                        end = std::min((part + 1) << partShift(), sums_.size());
+      const std::lock_guard<std::mutex> lock((*mutexes_)[part]);
+      for (; i < end; ++i)
+      {
+        sums_[i] += counts[i] * quanta;
+        counts[i] = 0;
+      }
+    }
+  }
   /// Adds what a cell of the gatherers gathers; `sign` -1 takes it away. For one thread alone.
   void addGathered(std::size_t slot, bool isFront, const Bands& quanta, int sign)
   {

@@ -248,40 +248,6 @@ LightSurvey::LightSurvey(const SceneObjects& objects, const std::vector<WalkSour
   unevenness_ = unevennessOf(sources, hits, groups_);
 }
 
-double LightSurvey::gatheredVariance() const
-{
-  double sum = 0, flux = 0;
-  for (const Group& group : groups_)
-  {
-    if (group.isGathered())
-    {
-      const std::vector<Light>& lights = group.lamps->lights().lights();
-      sum += group.variance *
-        std::accumulate(lights.begin(), lights.end(), 0.0, [](double watts, const Light& light) {
-          return watts + (light.cell.object == 0 ? light.totalFlux() : 0);
-        });
-      flux += group.lamps->lights().flux();
-    }
-  }
-  return flux > 0 ? sum / flux : 0;
-}
-
-double LightSurvey::gatheringCost() const
-{
-  double sum = 0, flux = 0;
-  bool hasLights = false;
-  for (const Group& group : groups_)
-  {
-    hasLights = hasLights || !group.known.empty();
-    if (group.lamps)
-    {
-      sum += group.cost * group.lamps->lights().flux();
-      flux += group.lamps->lights().flux();
-    }
-  }
-  return flux > 0 ? sum / flux : hasLights ? 1 : 0;
-}
-
 void FrameLights::update(const SceneObjects& objects, const WalkPlan& plan, ObjectSides& sides,
   const CancelPoint& cancelPoint)
 {

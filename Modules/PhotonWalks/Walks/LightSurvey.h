@@ -82,10 +82,40 @@ public:
   }
   /// Likewise of those that are gathered; the part of static lights, as a thing that moves has no
   /// light of its own lamps.
-  double gatheredVariance() const;
+  double gatheredVariance() const
+  {
+    double sum = 0, flux = 0;
+    for (const Group& group : groups_)
+    {
+      if (group.isGathered())
+      {
+        const std::vector<Light>& lights = group.lamps->lights().lights();
+        sum += group.variance *
+          std::accumulate(lights.begin(), lights.end(), 0.0, [](double watts, const Light& light) {
+            return watts + (light.cell.object == 0 ? light.totalFlux() : 0);
+          });
+        flux += group.lamps->lights().flux();
+      }
+    }
+    return flux > 0 ? sum / flux : 0;
+  }
   /// Of all lights that are neither dim nor near, see DirectPilot; 1 if all others are, 0 without
   /// lights.
-  double gatheringCost() const;
+  double gatheringCost() const
+  {
+    double sum = 0, flux = 0;
+    bool hasLights = false;
+    for (const Group& group : groups_)
+    {
+      hasLights = hasLights || !group.known.empty();
+      if (group.lamps)
+      {
+        sum += group.cost * group.lamps->lights().flux();
+        flux += group.lamps->lights().flux();
+      }
+    }
+    return flux > 0 ? sum / flux : hasLights ? 1 : 0;
+  }
 
 private:
   std::vector<Group> groups_; ///< by source

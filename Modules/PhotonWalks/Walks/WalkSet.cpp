@@ -163,17 +163,6 @@ void WalkSet::fill(
   }
 }
 
-void WalkSet::dropRounds(
-  std::size_t kept, const SceneTriangles& triangles, const CancelPoint& cancelPoint)
-{
-  dropBlocks(blocks_.before(plan().rounds()[kept - 1].endBlock), triangles, cancelPoint);
-  if (gathered_)
-  {
-    gathered_->drop(kept, totals(), cancelPoint);
-  }
-  sums_.setRounds(kept, cancelPoint);
-}
-
 void WalkSet::dropBlocks(
   std::size_t kept, const SceneTriangles& triangles, const CancelPoint& cancelPoint)
 {
@@ -345,17 +334,6 @@ void WalkSet::startAgain(const Frame& frame, Execution& execution)
   unborn_ = walksOfBlocks(
     [this](const BounceBlock&, std::uint32_t walk) { return gathered_->isBorn(walk); },
     cancelPointOf(execution, 0));
-}
-
-bool WalkSet::hasOtherCells(const Frame& frame) const
-{
-  bool hasOthers = false;
-  for (std::uint32_t i = source_.cells->first; i < source_.cells->second; ++i)
-  {
-    hasOthers = hasOthers || (i > 0 && frame.moved[i - 1]) ||
-      (!frame.repainted.empty() && frame.repainted[i]);
-  }
-  return hasOthers;
 }
 
 void WalkSet::followGathered(const Frame& frame, Execution& execution)

@@ -112,8 +112,15 @@ public:
     shootBlocks(plan().rounds()[round], isStored, frame, execution);
   }
   /// Drops all but the first `kept` rounds.
-  void dropRounds(
-    std::size_t kept, const SceneTriangles& triangles, const CancelPoint& cancelPoint);
+  void dropRounds(std::size_t kept, const SceneTriangles& triangles, const CancelPoint& cancelPoint)
+  {
+    dropBlocks(blocks_.before(plan().rounds()[kept - 1].endBlock), triangles, cancelPoint);
+    if (gathered_)
+    {
+      gathered_->drop(kept, totals(), cancelPoint);
+    }
+    sums_.setRounds(kept, cancelPoint);
+  }
   /// Whether another source has only another number of walks, and those that both have may stay: all
   /// are stored, or there are more, and none is stale.
   bool isResizedBy(const WalkSource& source, bool areStored) const
@@ -224,7 +231,16 @@ private:
   void fill(
     WalkBatch& batch, std::size_t first, std::size_t end, std::uint32_t firstWalk, int bands) const;
   /// Whether walks start at cells of which some moved or reflect otherwise.
-  bool hasOtherCells(const Frame& frame) const;
+  bool hasOtherCells(const Frame& frame) const
+  {
+    bool hasOthers = false;
+    for (std::uint32_t i = source_.cells->first; i < source_.cells->second; ++i)
+    {
+      hasOthers = hasOthers || (i > 0 && frame.moved[i - 1]) ||
+        (!frame.repainted.empty() && frame.repainted[i]);
+    }
+    return hasOthers;
+  }
   /// Gathers anew; for such cells. All walks are still to be born.
   void startAgain(const Frame& frame, Execution& execution);
   /// Follows what a motion changes of the direct light: takes back the walks that no longer start,

@@ -10,14 +10,6 @@
 namespace irradiance
 {
 
-WalkPlan WalkSets::planOf(const WalkSettings& settings)
-{
-  assert(settings.replicates >= (settings.targetRelativeError > 0 ? 2u : 1u));
-  return { settings.numberOfWalks,
-    settings.targetRelativeError > 0 ? settings.maximumNumberOfWalks : settings.numberOfWalks,
-    settings.replicates };
-}
-
 void WalkSets::setSources(std::vector<WalkSource> sources)
 {
   flux_ = 0;
@@ -76,18 +68,6 @@ void WalkSets::follow(const Frame& frame, PhotonChanges* changes, Execution& exe
     left -= sets_[i].statistics().repairSeconds;
   });
   sumUp(frame.objects, execution);
-}
-
-void WalkSets::forgetBudget()
-{
-  for (WalkSet& set : sets_)
-  {
-    set.forgetBudget();
-  }
-  if (total_ && !total_->stale.isStale)
-  {
-    total_->stale.isKept = staleOfSets().isKept;
-  }
 }
 
 void WalkSets::sumUp(const SceneObjects& objects, Execution& execution)
@@ -161,19 +141,6 @@ WalkSets::StaleFigures WalkSets::staleOfSets() const
     }
   }
   return all;
-}
-
-std::int64_t WalkSets::numberOfShotWalks() const
-{
-  std::int64_t number = 0;
-  for (const WalkSet& set : sets_)
-  {
-    number += set.gathered() || isEmpty() ? 0 : set.plan().walksAfter(set.sums().rounds());
-    set.forEachGathered([&](const DirectGather& light) {
-      number += static_cast<std::int64_t>(light.starts().numberBorn());
-    });
-  }
-  return number;
 }
 
 double WalkSets::escapedError(int band) const

@@ -31,7 +31,13 @@ public:
   WalkSets& operator=(const WalkSets&) = delete;
 
   /// The plan of the walks that settings ask for.
-  static WalkPlan planOf(const WalkSettings& settings);
+  static WalkPlan planOf(const WalkSettings& settings)
+  {
+    assert(settings.replicates >= (settings.targetRelativeError > 0 ? 2u : 1u));
+    return { settings.numberOfWalks,
+      settings.targetRelativeError > 0 ? settings.maximumNumberOfWalks : settings.numberOfWalks,
+      settings.replicates };
+  }
 
   /// Before the start: a set for each.
   void setSources(std::vector<WalkSource> sources);
@@ -80,7 +86,17 @@ public:
     inEach(frame, execution,
       [&](WalkSet& set, Execution& part) { set.replaceCells(frame, cancelPointOf(part, 0)); });
   }
-  void forgetBudget();
+  void forgetBudget()
+  {
+    for (WalkSet& set : sets_)
+    {
+      set.forgetBudget();
+    }
+    if (total_ && !total_->stale.isStale)
+    {
+      total_->stale.isKept = staleOfSets().isKept;
+    }
+  }
 
   /// With the walks of this rank.
   const std::vector<WalkSet>& sets() const { return sets_; }
@@ -122,7 +138,18 @@ public:
   /// The number of walks shot; more than in the settings if a target needs them.
   std::uint32_t numberOfWalks() const { return plan_.walksAfter(sums().rounds()); }
   /// Of these, those that were shot: none without lights, and at cells as many as were born.
-  std::int64_t numberOfShotWalks() const;
+  std::int64_t numberOfShotWalks() const
+  {
+    std::int64_t number = 0;
+    for (const WalkSet& set : sets_)
+    {
+      number += set.gathered() || isEmpty() ? 0 : set.plan().walksAfter(set.sums().rounds());
+      set.forEachGathered([&](const DirectGather& light) {
+        number += static_cast<std::int64_t>(light.starts().numberBorn());
+      });
+    }
+    return number;
+  }
   /// The standard error of what escapes, and as all the rest is absorbed, of that: quanta, rather
   /// too large.
   double escapedError(int band) const;
