@@ -5,12 +5,8 @@
 #include "FinalGather/PathLights.h"
 #include "Surfaces/SceneHash.h"
 
-#include <algorithm>
-#include <cassert>
-#include <cmath>
 #include <limits>
 #include <optional>
-#include <utility>
 
 namespace irradiance
 {

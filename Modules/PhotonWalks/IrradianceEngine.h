@@ -11,7 +11,11 @@
 #include "Walks/LightSurvey.h"
 #include "Walks/WalkSets.h"
 
+#include <algorithm>
+#include <cassert>
+#include <cmath>
 #include <memory>
+#include <utility>
 
 namespace irradiance
 {

@@ -3,8 +3,6 @@
 
 #include "Surfaces/SceneHash.h"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace irradiance

@@ -6,12 +6,12 @@
 #include "IrradianceEngine.h"
 #include "Surfaces/GroupLamps.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace irradiance

@@ -3,9 +3,6 @@
 
 #include "History/PageScan.h"
 
-#include <algorithm>
-#include <cstring>
-
 namespace irradiance
 {
 

@@ -8,8 +8,10 @@
 #include "Simd/Prefetch.h"
 #include "Surfaces/Power.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <tuple>
 #include <unordered_map>
 #include <vector>

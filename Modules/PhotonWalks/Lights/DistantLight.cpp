@@ -4,9 +4,6 @@
 #include "Sampling/ElementaryFunctions.h"
 #include "Sampling/SobolPoint.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace irradiance
 {
 

@@ -7,7 +7,9 @@
 #include "Sampling/DirectionTable.h"
 #include "Surfaces/Sky.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <vector>
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Lights/LampPiece.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace irradiance
 {
 

@@ -4,6 +4,8 @@
 
 #include "Lights/Light.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 

@@ -2,7 +2,6 @@
 #include "Lights/SeenLight.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace irradiance
 {

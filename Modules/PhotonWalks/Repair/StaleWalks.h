@@ -8,6 +8,7 @@
 #include "Tally/CellSums.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace irradiance

@@ -7,12 +7,10 @@
 #include "Repair/SceneChange.h"
 #include "Surfaces/Frame.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <tuple>
 #include <utility>
 

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Walks/WalkSets.h"
 
-#include <cassert>
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <utility>
 
 namespace irradiance

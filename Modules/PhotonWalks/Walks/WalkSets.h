@@ -7,6 +7,7 @@
 #include "Walks/WalkSet.h"
 
 #include <algorithm>
+#include <cassert>
 #include <deque>
 #include <iterator>
 #include <limits>
