@@ -243,26 +243,23 @@ void IrradianceEngine::follow(const FrameChange& change, Execution& execution)
   ProgressSpan repairing(execution, 0, repaired), shooting(execution, repaired, 1);
   if (repairs)
   {
-    repair(repairing);
+    if (settings_.gathersDirectLight)
+    {
+      photons_.reset(); // walks that are born are not among the changes
+    }
+    PhotonChanges changes;
+    walks_.follow(frame_, photons_ ? &changes : nullptr, repairing);
+    const double start = steadySeconds();
+    if (photons_)
+    {
+      photons_->apply(objects(), walks_.histories(), changes, repairing);
+    }
+    statistics_.repairSeconds = steadySeconds() - start;
   }
   if (change.resizes)
   {
     walks_.shootMissing(storesWalks(), frame_, shooting);
   }
-}
-
-void IrradianceEngine::shootOnce(bool isFresh, Execution& execution)
-{
-  if (isFresh)
-  {
-    shootRound(0, execution);
-  }
-  miss_ = {};
-  miss_.reached = walks_.hasStale() ? std::numeric_limits<double>::quiet_NaN() : 0;
-  const bool staysAsItIs = !isFresh && settings_.targetRelativeError > 0;
-  const std::size_t rays = staysAsItIs ? std::min(rounds_.rays, estimator_->mostRayRounds()) : 1;
-  ProgressSpan end(execution, 1, 1);
-  estimate({ sums().rounds(), rays }, end);
 }
 
 void IrradianceEngine::reachTarget(Execution& execution)

@@ -166,28 +166,25 @@ private:
     photons_.reset();
   }
   void follow(const FrameChange& change, Execution& execution);
-  void repair(Execution& execution)
-  {
-    if (settings_.gathersDirectLight)
-    {
-      photons_.reset(); // walks that are born are not among the changes
-    }
-    PhotonChanges changes;
-    walks_.follow(frame_, photons_ ? &changes : nullptr, execution);
-    const double start = steadySeconds();
-    if (photons_)
-    {
-      photons_->apply(objects(), walks_.histories(), changes, execution);
-    }
-    statistics_.repairSeconds = steadySeconds() - start;
-  }
   void shootRound(std::size_t round, Execution& execution)
   {
     photons_.reset(); // they are collected again, with this round
     walks_.shootRound(round, storesWalks(), frame_, execution);
   }
   /// Without a target, or as long as walks are stale: `isFresh` tells that no walk is shot yet.
-  void shootOnce(bool isFresh, Execution& execution);
+  void shootOnce(bool isFresh, Execution& execution)
+  {
+    if (isFresh)
+    {
+      shootRound(0, execution);
+    }
+    miss_ = {};
+    miss_.reached = walks_.hasStale() ? std::numeric_limits<double>::quiet_NaN() : 0;
+    const bool staysAsItIs = !isFresh && settings_.targetRelativeError > 0;
+    const std::size_t rays = staysAsItIs ? std::min(rounds_.rays, estimator_->mostRayRounds()) : 1;
+    ProgressSpan end(execution, 1, 1);
+    estimate({ sums().rounds(), rays }, end);
+  }
   /// Adds rounds of walks and rays until the target is reached, and drops those that it does not
   /// need: what remains is what a new engine would have.
   void reachTarget(Execution& execution);

@@ -75,22 +75,6 @@ void BounceBlock::appendSome(
   }
 }
 
-void BounceBlock::prefetchToStore(std::uint32_t slot, std::uint32_t parent) const
-{
-  const BouncePage& page = pageOf(slot);
-  const std::uint32_t place = slot % BouncePage::kSize;
-  for (const auto& column : page.ends)
-  {
-    prefetchLine(column + place);
-  }
-  prefetchLine(page.bounces + place);
-  if (parent != kNone)
-  {
-    prefetchLine(pageOf(parent).bounces + parent % BouncePage::kSize);
-    prefetchLine(pageOf(parent).children + parent % BouncePage::kSize);
-  }
-}
-
 /// Rows from `row` on, placed from `at` on, to consecutive slots of a page.
 void BounceBlock::storeRun(const BounceColumns& front, std::size_t row,
   const GridSegments& segments, std::size_t at, std::uint32_t slot, std::size_t count)
@@ -128,23 +112,6 @@ void BounceBlock::storeRun(const BounceColumns& front, std::size_t row,
     {
       link(front.parents[row + i], stored);
     }
-  }
-}
-
-void BounceBlock::link(std::uint32_t parent, std::uint32_t slot)
-{
-  BouncePage& from = pageOf(parent);
-  BouncePage& to = pageOf(slot);
-  const std::uint32_t before = parent % BouncePage::kSize, place = slot % BouncePage::kSize;
-  const bool isNear = partOf(parent) == partOf(slot);
-  from.children[before] = isNear ? static_cast<std::uint16_t>(slot) : kCrossing;
-  to.records[place].parent = isNear ? static_cast<std::uint16_t>(parent) : kCrossing;
-  to.bounces[place] =
-    static_cast<std::uint8_t>(std::min<int>(from.bounces[before] + 1, kManyBounces));
-  if (!isNear)
-  {
-    children_[parent] = slot;
-    parents_[slot] = parent;
   }
 }
 

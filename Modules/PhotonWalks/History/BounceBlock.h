@@ -316,10 +316,39 @@ private:
   }
   void appendSome(
     const BounceColumns& front, std::size_t first, std::size_t count, std::uint32_t* slots);
-  void prefetchToStore(std::uint32_t slot, std::uint32_t parent) const;
+  void prefetchToStore(std::uint32_t slot, std::uint32_t parent) const
+  {
+    const BouncePage& page = pageOf(slot);
+    const std::uint32_t place = slot % BouncePage::kSize;
+    for (const auto& column : page.ends)
+    {
+      prefetchLine(column + place);
+    }
+    prefetchLine(page.bounces + place);
+    if (parent != kNone)
+    {
+      prefetchLine(pageOf(parent).bounces + parent % BouncePage::kSize);
+      prefetchLine(pageOf(parent).children + parent % BouncePage::kSize);
+    }
+  }
   void storeRun(const BounceColumns& front, std::size_t row, const GridSegments& segments,
     std::size_t at, std::uint32_t slot, std::size_t count);
-  void link(std::uint32_t parent, std::uint32_t slot);
+  void link(std::uint32_t parent, std::uint32_t slot)
+  {
+    BouncePage& from = pageOf(parent);
+    BouncePage& to = pageOf(slot);
+    const std::uint32_t before = parent % BouncePage::kSize, place = slot % BouncePage::kSize;
+    const bool isNear = partOf(parent) == partOf(slot);
+    from.children[before] = isNear ? static_cast<std::uint16_t>(slot) : kCrossing;
+    to.records[place].parent = isNear ? static_cast<std::uint16_t>(parent) : kCrossing;
+    to.bounces[place] =
+      static_cast<std::uint8_t>(std::min<int>(from.bounces[before] + 1, kManyBounces));
+    if (!isNear)
+    {
+      children_[parent] = slot;
+      parents_[slot] = parent;
+    }
+  }
   /// From the segment before it.
   void unlink(std::uint32_t slot)
   {

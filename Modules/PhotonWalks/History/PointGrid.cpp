@@ -29,10 +29,12 @@ Vector3 pointOn(const Triangle& triangle, std::size_t number)
   return triangle.a + b * (triangle.b - triangle.a) + c * (triangle.c - triangle.a);
 }
 
-/// Of all triangles in the world, object by object.
-std::vector<double> areasOf(const SceneObjects& objects, ThrottledCancelPoint& pace)
+/// Some points, evenly spread over all surfaces; none if their area is no number to count with.
+std::vector<Vector3> pointsOnSurfaces(const SceneObjects& objects, const CancelPoint& cancelPoint)
 {
-  std::vector<double> areas;
+  constexpr std::size_t kPoints = 512;
+  ThrottledCancelPoint pace(cancelPoint);
+  std::vector<double> areas; // of all triangles in the world, object by object
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
     for (const Triangle& own : objects[object].mesh().triangles())
@@ -41,15 +43,6 @@ std::vector<double> areasOf(const SceneObjects& objects, ThrottledCancelPoint& p
       pace.step();
     }
   }
-  return areas;
-}
-
-/// Some points, evenly spread over all surfaces; none if their area is no number to count with.
-std::vector<Vector3> pointsOnSurfaces(const SceneObjects& objects, const CancelPoint& cancelPoint)
-{
-  constexpr std::size_t kPoints = 512;
-  ThrottledCancelPoint pace(cancelPoint);
-  const std::vector<double> areas = areasOf(objects, pace);
   const double all = std::accumulate(areas.begin(), areas.end(), 0.0);
   std::vector<Vector3> points;
   if (!(all > 0) || !std::isfinite(all))

@@ -18,16 +18,6 @@ Vector3 weightsInPlane(const Triangle& triangle, const Vector3& place)
   return { 1 - b - c, b, c };
 }
 
-LitPoint LitPoint::onTriangle(
-  const Triangle& worldTriangle, const TriangleId& id, bool isFront, const Vector3& place)
-{
-  // At an edge, rounding may leave the place beside the triangle.
-  const Vector3 weights = weightsInPlane(worldTriangle, place).cwiseMax(0);
-  SurfacePoint point = surfacePoint(worldTriangle, weights / weights.sum());
-  point.turn(isFront);
-  return { point.clearPosition(), point.normal, id };
-}
-
 void SeenLight::addParts(const Light& light, const LampPiece& piece, const LitPoint& point, By by,
   std::vector<SeenLight>& parts)
 {

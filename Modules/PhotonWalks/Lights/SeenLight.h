@@ -14,6 +14,10 @@
 namespace irradiance
 {
 
+/// The barycentric weights of a place in the plane of a triangle; some are negative beside the
+/// triangle.
+Vector3 weightsInPlane(const Triangle& triangle, const Vector3& place);
+
 /// A point that receives light, from one side or from all directions.
 struct LitPoint
 {
@@ -31,12 +35,15 @@ struct LitPoint
 
   /// On a side of a triangle, at the point nearest to a place in its plane, roughly.
   static LitPoint onTriangle(
-    const Triangle& worldTriangle, const TriangleId& id, bool isFront, const Vector3& place);
+    const Triangle& worldTriangle, const TriangleId& id, bool isFront, const Vector3& place)
+  {
+    // At an edge, rounding may leave the place beside the triangle.
+    const Vector3 weights = weightsInPlane(worldTriangle, place).cwiseMax(0);
+    SurfacePoint point = surfacePoint(worldTriangle, weights / weights.sum());
+    point.turn(isFront);
+    return { point.clearPosition(), point.normal, id };
+  }
 };
-
-/// The barycentric weights of a place in the plane of a triangle; some are negative beside the
-/// triangle.
-Vector3 weightsInPlane(const Triangle& triangle, const Vector3& place);
 
 /**
  * A piece of a light as a point sees it, or a part of that: what comes towards the point if nothing

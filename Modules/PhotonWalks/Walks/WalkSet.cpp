@@ -61,23 +61,6 @@ void WalkSet::start(const Frame& frame, Execution& execution)
   repaired_ = {};
 }
 
-std::shared_ptr<BlockArena> WalkSet::arenaFor(int bands)
-{
-  constexpr std::size_t kUsualBytes = std::size_t{ 4 } * 34; // of a walk
-  const std::size_t pageBytes = BounceBlock::pageBytes(bands);
-  const std::size_t expected =
-    kUsualBytes * blocks_.before(source_.plan.rounds().front().endBlock) * WalkPlan::kWalksPerBlock;
-  if (!arena_ || arena_->pageBytes() < pageBytes || arena_->pageBytes() >= 2 * pageBytes)
-  {
-    arena_ = std::make_shared<BlockArena>(pageBytes);
-  }
-  else if (arena_->bytes() > 4 * expected)
-  {
-    arena_->release();
-  }
-  return arena_;
-}
-
 void WalkSet::beginRound(bool isStored, const Frame& frame, Execution& execution)
 {
   const std::size_t round = sums_.rounds();
@@ -355,17 +338,12 @@ void WalkSet::followGathered(const Frame& frame, Execution& execution)
     unborn_.begin(), unborn_.end(), gone.begin(), gone.end(), std::back_inserter(waiting));
   unborn_.clear();
   std::merge(waiting.begin(), waiting.end(), born.begin(), born.end(), std::back_inserter(unborn_));
-  takeBack(stored, frame.triangles, cancelPointOf(beginning, 0));
   statistics_.invalidWalks = static_cast<std::int64_t>(stored.size());
-}
-
-void WalkSet::takeBack(const std::vector<std::uint32_t>& walks, const SceneTriangles& triangles,
-  const CancelPoint& cancelPoint)
-{
   WalkFront old;
   Power starting;
+  const CancelPoint cancelPoint = cancelPointOf(beginning, 0);
   ThrottledCancelPoint pace(cancelPoint);
-  for (const std::uint32_t walk : walks)
+  for (const std::uint32_t walk : stored)
   {
     pace.step(16);
     if (stale_)
@@ -378,7 +356,7 @@ void WalkSet::takeBack(const std::vector<std::uint32_t>& walks, const SceneTrian
       addStored(history_.block(place.block), slot, history_.bands(), old);
     });
   }
-  FrontTally tally(triangles, sums_, balance_, powerPerWalk(), old.size);
+  FrontTally tally(frame.triangles, sums_, balance_, powerPerWalk(), old.size);
   tally.remove(old, starting);
   tally.unrelease(starting);
 }

@@ -246,8 +246,6 @@ private:
   /// Follows what a motion changes of the direct light: takes back the walks that no longer start,
   /// and notes which are to be born.
   void followGathered(const Frame& frame, Execution& execution);
-  void takeBack(const std::vector<std::uint32_t>& walks, const SceneTriangles& triangles,
-    const CancelPoint& cancelPoint);
   /// Walks of this rank that isChosen(block, walk), in order.
   template <class Chosen>
   std::vector<std::uint32_t> walksOfBlocks(
@@ -260,7 +258,22 @@ private:
   /// What a motion may change, to be looked for among stored segments.
   BounceScan scanOf(const std::vector<bool>& moved, const Frame& frame) const;
   /// An arena for pages of so many bands: the one of before, if it will do.
-  std::shared_ptr<BlockArena> arenaFor(int bands);
+  std::shared_ptr<BlockArena> arenaFor(int bands)
+  {
+    constexpr std::size_t kUsualBytes = std::size_t{ 4 } * 34; // of a walk
+    const std::size_t pageBytes = BounceBlock::pageBytes(bands);
+    const std::size_t expected = kUsualBytes *
+      blocks_.before(source_.plan.rounds().front().endBlock) * WalkPlan::kWalksPerBlock;
+    if (!arena_ || arena_->pageBytes() < pageBytes || arena_->pageBytes() >= 2 * pageBytes)
+    {
+      arena_ = std::make_shared<BlockArena>(pageBytes);
+    }
+    else if (arena_->bytes() > 4 * expected)
+    {
+      arena_->release();
+    }
+    return arena_;
+  }
 
   WalkSettings settings_;
   WalkSource source_;
