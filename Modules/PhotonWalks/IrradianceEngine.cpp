@@ -5,32 +5,14 @@
 #include "FinalGather/PathLights.h"
 #include "Surfaces/SceneHash.h"
 
-#include <algorithm>
-#include <cassert>
-#include <cmath>
 #include <limits>
 #include <optional>
-#include <utility>
 
 namespace irradiance
 {
 
 namespace
 {
-
-/// Of the walks that these settings ask for.
-WalkSettings walkSettingsOf(const EngineSettings& settings)
-{
-  WalkSettings walks = settings;
-  walks.fewestSamples = settings.fewestOfCells();
-  return walks;
-}
-
-/// Whether the same estimator does for both.
-bool haveSameEstimator(const EngineSettings& a, const EngineSettings& b)
-{
-  return isSameEstimate(a, b) && a.seed == b.seed && a.verify == b.verify;
-}
 
 /// Of all settings that change results.
 std::uint64_t hashOf(const EngineSettings& settings)
@@ -77,7 +59,8 @@ EngineSettings IrradianceEngine::chosen(const LeftToScene& left, const SceneObje
     const CancelPoint cancelPoint = cancelPointOf(execution, 0);
     cellsToChoose_.update(objects, cancelPoint);
     const auto survey = [&]() -> const LightSurvey& {
-      return lights_.survey(objects, WalkSets::planOf(settings), frame_.sides, cancelPoint);
+      lights_.update(objects, WalkSets::planOf(settings), frame_.sides, cancelPoint);
+      return lights_.survey();
     };
     chooseByScene(left, objects, cellsToChoose_, survey, chosen, chosen);
   }
@@ -131,11 +114,10 @@ FrameChange IrradianceEngine::changeTo(
   if (!sameLights)
   {
     const bool wasValid = std::exchange(isValid_, false);
-    const CancelPoint cancelPoint = cancelPointOf(execution, 0);
+    lights_.update(objects, plan, frame_.sides, cancelPointOf(execution, 0));
     std::vector<WalkSource> sources = settings.gathersDirectLight
-      ? directSourcesOf(objects, lights_.sources(objects, plan, frame_.sides, cancelPoint),
-          lights_.survey(objects, plan, frame_.sides, cancelPoint), settings.fewestOfCells())
-      : lights_.sources(objects, plan, frame_.sides, cancelPoint);
+      ? directSourcesOf(objects, lights_.sources(), lights_.survey(), settings.fewestOfCells())
+      : lights_.sources();
     isValid_ = wasValid;
     sameLights = isValid_ && walks_.hasSources(sources);
     if (!sameLights)
@@ -197,7 +179,8 @@ void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& 
   const bool isFresh = change.kind == FrameChange::Fresh;
   const bool keepsPhotons = settings.keepPhotons || (!isFresh && settings_.keepPhotons);
   const bool allOnEachRank = settings.allOnEachRank || (!isFresh && settings_.allOnEachRank);
-  if (!estimator_ || !haveSameEstimator(settings, settings_))
+  if (!estimator_ || !isSameEstimate(settings, settings_) || settings.seed != settings_.seed ||
+    settings.verify != settings_.verify)
   {
     estimator_ = makeCellEstimator(settings, settings, frame_, walks_);
   }
@@ -212,7 +195,9 @@ void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& 
     frame_.triangles.update(frame_.objects, cancelPointOf(beginning, 0));
   }
   surfaces_.forgetOthers(frame_.objects);
-  walks_.setSettings(walkSettingsOf(settings_));
+  WalkSettings walks = settings_;
+  walks.fewestSamples = settings_.fewestOfCells();
+  walks_.setSettings(walks);
   if (change.kind == FrameChange::Replace)
   {
     walks_.replaceCells(frame_, beginning);
@@ -223,21 +208,6 @@ void IrradianceEngine::adopt(const SceneObjects& objects, const EngineSettings& 
     walks_.resize(storesWalks(), frame_, beginning);
     photons_.reset();
   }
-}
-
-void IrradianceEngine::collectPhotons(Execution& execution)
-{
-  assert(storesWalks());
-  if (photons_)
-  {
-    return;
-  }
-  auto photons = std::make_unique<LeafPhotons>(objects());
-  inParts(walks_.sets().size(), execution, [&](std::size_t i, Execution& part) {
-    const WalkHistory& history = walks_.sets()[i].history();
-    photons->add(history, 0, history.size(), part);
-  });
-  photons_ = std::move(photons);
 }
 
 void IrradianceEngine::commitScene(Execution& execution)
@@ -259,13 +229,6 @@ void IrradianceEngine::commitScene(Execution& execution)
   }
 }
 
-void IrradianceEngine::start(Execution& execution)
-{
-  commitScene(execution);
-  walks_.start(frame_, execution);
-  photons_.reset();
-}
-
 void IrradianceEngine::follow(const FrameChange& change, Execution& execution)
 {
   const bool hasChanged = frame_.hasChanged();
@@ -280,48 +243,23 @@ void IrradianceEngine::follow(const FrameChange& change, Execution& execution)
   ProgressSpan repairing(execution, 0, repaired), shooting(execution, repaired, 1);
   if (repairs)
   {
-    repair(repairing);
+    if (settings_.gathersDirectLight)
+    {
+      photons_.reset(); // walks that are born are not among the changes
+    }
+    PhotonChanges changes;
+    walks_.follow(frame_, photons_ ? &changes : nullptr, repairing);
+    const double start = steadySeconds();
+    if (photons_)
+    {
+      photons_->apply(objects(), walks_.histories(), changes, repairing);
+    }
+    statistics_.repairSeconds = steadySeconds() - start;
   }
   if (change.resizes)
   {
     walks_.shootMissing(storesWalks(), frame_, shooting);
   }
-}
-
-void IrradianceEngine::repair(Execution& execution)
-{
-  if (settings_.gathersDirectLight)
-  {
-    photons_.reset(); // walks that are born are not among the changes
-  }
-  PhotonChanges changes;
-  walks_.follow(frame_, photons_ ? &changes : nullptr, execution);
-  const double start = steadySeconds();
-  if (photons_)
-  {
-    photons_->apply(objects(), walks_.histories(), changes, execution);
-  }
-  statistics_.repairSeconds = steadySeconds() - start;
-}
-
-void IrradianceEngine::shootRound(std::size_t round, Execution& execution)
-{
-  photons_.reset(); // they are collected again, with this round
-  walks_.shootRound(round, storesWalks(), frame_, execution);
-}
-
-void IrradianceEngine::shootOnce(bool isFresh, Execution& execution)
-{
-  if (isFresh)
-  {
-    shootRound(0, execution);
-  }
-  miss_ = {};
-  miss_.reached = walks_.hasStale() ? std::numeric_limits<double>::quiet_NaN() : 0;
-  const bool staysAsItIs = !isFresh && settings_.targetRelativeError > 0;
-  const std::size_t rays = staysAsItIs ? std::min(rounds_.rays, estimator_->mostRayRounds()) : 1;
-  ProgressSpan end(execution, 1, 1);
-  estimate({ sums().rounds(), rays }, end);
 }
 
 void IrradianceEngine::reachTarget(Execution& execution)
@@ -360,22 +298,6 @@ void IrradianceEngine::reachTarget(Execution& execution)
   {
     throw Interrupted();
   }
-}
-
-double IrradianceEngine::expectedGrowth() const
-{
-  const double walks = walks_.plan().most() / double(walks_.plan().walksAfter(rounds_.walks));
-  const double rays = std::ldexp(1, static_cast<int>(estimator_->mostRayRounds() - rounds_.rays));
-  // The error falls with the square root of the numbers.
-  const double ratio = miss_.reached / settings_.targetRelativeError;
-  return std::max(2.0, std::min(ratio * ratio, std::max(walks, rays)));
-}
-
-void IrradianceEngine::estimate(const EstimateRounds& rounds, Execution& execution)
-{
-  rounds_ = rounds;
-  estimator_->update(rounds, execution);
-  statistics_.followedPaths += estimator_->followedPaths();
 }
 
 }

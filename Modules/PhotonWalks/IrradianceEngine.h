@@ -11,7 +11,11 @@
 #include "Walks/LightSurvey.h"
 #include "Walks/WalkSets.h"
 
+#include <algorithm>
+#include <cassert>
+#include <cmath>
 #include <memory>
+#include <utility>
 
 namespace irradiance
 {
@@ -114,7 +118,20 @@ public:
   /// Collects the photons of the history, unless that was done before; then updates keep them up to
   /// date, or forget them where direct light is gathered. Those are then photons of indirect light
   /// alone. Needs stored walks. Throws Interrupted.
-  void collectPhotons(Execution& execution);
+  void collectPhotons(Execution& execution)
+  {
+    assert(storesWalks());
+    if (photons_)
+    {
+      return;
+    }
+    auto photons = std::make_unique<LeafPhotons>(objects());
+    inParts(walks_.sets().size(), execution, [&](std::size_t i, Execution& part) {
+      const WalkHistory& history = walks_.sets()[i].history();
+      photons->add(history, 0, history.size(), part);
+    });
+    photons_ = std::move(photons);
+  }
   /// What was collected.
   const LeafPhotons& photons() const { return *photons_; }
   /// Prepares the surfaces of all objects, on which sensors stand, unless that was done before.
@@ -142,19 +159,51 @@ private:
     Execution& execution);
   void commitScene(Execution& execution);
   /// Forgets all walks and commits the scene.
-  void start(Execution& execution);
+  void start(Execution& execution)
+  {
+    commitScene(execution);
+    walks_.start(frame_, execution);
+    photons_.reset();
+  }
   void follow(const FrameChange& change, Execution& execution);
-  void repair(Execution& execution);
-  void shootRound(std::size_t round, Execution& execution);
+  void shootRound(std::size_t round, Execution& execution)
+  {
+    photons_.reset(); // they are collected again, with this round
+    walks_.shootRound(round, storesWalks(), frame_, execution);
+  }
   /// Without a target, or as long as walks are stale: `isFresh` tells that no walk is shot yet.
-  void shootOnce(bool isFresh, Execution& execution);
+  void shootOnce(bool isFresh, Execution& execution)
+  {
+    if (isFresh)
+    {
+      shootRound(0, execution);
+    }
+    miss_ = {};
+    miss_.reached = walks_.hasStale() ? std::numeric_limits<double>::quiet_NaN() : 0;
+    const bool staysAsItIs = !isFresh && settings_.targetRelativeError > 0;
+    const std::size_t rays = staysAsItIs ? std::min(rounds_.rays, estimator_->mostRayRounds()) : 1;
+    ProgressSpan end(execution, 1, 1);
+    estimate({ sums().rounds(), rays }, end);
+  }
   /// Adds rounds of walks and rays until the target is reached, and drops those that it does not
   /// need: what remains is what a new engine would have.
   void reachTarget(Execution& execution);
   /// An estimate, after some rounds, of how much more there will be of all that was done.
-  double expectedGrowth() const;
+  double expectedGrowth() const
+  {
+    const double walks = walks_.plan().most() / double(walks_.plan().walksAfter(rounds_.walks));
+    const double rays = std::ldexp(1, static_cast<int>(estimator_->mostRayRounds() - rounds_.rays));
+    // The error falls with the square root of the numbers.
+    const double ratio = miss_.reached / settings_.targetRelativeError;
+    return std::max(2.0, std::min(ratio * ratio, std::max(walks, rays)));
+  }
   /// Estimates the cells from the first rounds.
-  void estimate(const EstimateRounds& rounds, Execution& execution);
+  void estimate(const EstimateRounds& rounds, Execution& execution)
+  {
+    rounds_ = rounds;
+    estimator_->update(rounds, execution);
+    statistics_.followedPaths += estimator_->followedPaths();
+  }
 
   bool isValid_ = false; ///< the state below belongs to frame_ and settings_
   std::uint64_t state_ = 0;

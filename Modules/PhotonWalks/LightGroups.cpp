@@ -3,8 +3,6 @@
 
 #include "Surfaces/SceneHash.h"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace irradiance
@@ -45,14 +43,12 @@ void LightGroups::findGroups(const Asked& asked, Ranks& ranks)
   areSeveral_ =
     present.size() > 1 || (present.size() == 1 && asked.groups[present.begin()->second].isNamed);
   groups_.clear();
-  numbers_.clear();
   Hash hash;
   for (const auto& [name, number] : present)
   {
     const Bands& factor = asked.groups[number].factor;
     const bool isScaled = areSeveral_ && !hasSky(asked, number);
-    groups_.push_back({ name, factor, isScaled ? lamps_.brightest(number) : kOne, nullptr });
-    numbers_.push_back(number);
+    groups_.push_back({ name, factor, isScaled ? lamps_.brightest(number) : kOne, number, {} });
     hash.add(seedOf(name, 0), factor[0], factor[1], factor[2]);
   }
   ranks.expectSame(hash.value(), "other light groups than on the first process");
@@ -62,23 +58,24 @@ void LightGroups::update(const Asked& asked, Execution& execution)
 {
   isValid_ = false;
   ++state_;
+  lit_.clear();
   findGroups(asked, execution.ranks());
-  std::vector<std::pair<LightGroup*, std::uint32_t>> lit;
+  std::vector<LightGroup*> lit;
   std::map<std::string, Member> members;
   const auto keep = [&](const LightGroup& group) { members.insert(members_.extract(group.name)); };
-  for (std::size_t i = 0; i < groups_.size(); ++i)
+  for (LightGroup& group : groups_)
   {
-    keep(groups_[i]);
-    if (!isOff(groups_[i].factor))
+    keep(group);
+    if (!isOff(group.factor))
     {
-      lit.emplace_back(&groups_[i], numbers_[i]);
+      lit.push_back(&group);
     }
   }
   darkness_ = {};
   if (lit.empty())
   {
     keep(darkness_);
-    lit.emplace_back(&darkness_, kNone);
+    lit.push_back(&darkness_);
   }
   members_ = std::move(members);
   const double budget = asked.settings.repairTimeBudget;
@@ -86,24 +83,24 @@ void LightGroups::update(const Asked& asked, Execution& execution)
   for (std::size_t i = 0; i < lit.size(); ++i)
   {
     constexpr double kLeast = 1e-9; // s; 0 would be none
-    const auto [group, number] = lit[i];
     const auto count = static_cast<double>(lit.size()), done = static_cast<double>(i);
     ProgressSpan part(execution, done / count, (done + 1) / count);
     const double share = left / (count - done);
-    updateLit(asked, number, *group, budget > 0 ? std::max(share, kLeast) : 0, part);
+    updateLit(asked, *lit[i], budget > 0 ? std::max(share, kLeast) : 0, part);
     // Processes need the same settings, and have different clocks.
-    left -= execution.ranks().areSeveral() ? share : group->engine->statistics().repairSeconds;
+    left -= execution.ranks().areSeveral() ? share : lit[i]->engine->statistics().repairSeconds;
   }
-  any_ = lit.front().first->engine;
+  any_ = lit.front()->engine;
+  lit_ = std::move(lit);
   isValid_ = true;
 }
 
 void LightGroups::updateLit(
-  const Asked& asked, std::uint32_t number, LightGroup& group, double budget, Execution& execution)
+  const Asked& asked, LightGroup& group, double budget, Execution& execution)
 {
   Member& member = members_[group.name];
-  const SceneObjects objects = member.lamps.only(
-    asked.objects, areSeveral_ ? &lamps_ : nullptr, number, group.scale, hasSky(asked, number));
+  const SceneObjects objects = member.lamps.only(asked.objects, areSeveral_ ? &lamps_ : nullptr,
+    group.number, group.scale, hasSky(asked, group.number));
   EngineSettings settings = asked.settings;
   settings.repairTimeBudget = budget;
   settings.seed = areSeveral_ ? seedOf(group.name, settings.seed) : settings.seed;
@@ -111,39 +108,6 @@ void LightGroups::updateLit(
   asked.check(objects, settings);
   member.engine->update(objects, settings, execution);
   group.engine = member.engine;
-}
-
-double LightGroups::reachedRelativeError() const
-{
-  double most = 0;
-  forEachLit([&](const LightGroup& group) {
-    const double reached = group.engine->reachedRelativeError();
-    most = std::isnan(reached) || reached > most ? reached : most;
-  });
-  return most;
-}
-
-LightGroupErrors::LightGroupErrors(const LightGroups& groups)
-  : groups_(groups)
-{
-  groups.forEachLit([&](const LightGroup& group) {
-    parts_.push_back({ group, group.engine->errorEstimate() });
-  });
-}
-
-double LightGroupErrors::shown(const Part& part, const CellSide& cell, int band, double quanta)
-{
-  const IrradianceEngine& engine = *part.group.engine;
-  return part.group.shown(engine.watts(quanta) / engine.cells().area(cell), band);
-}
-
-double LightGroupErrors::standardErrorOf(
-  const std::string& group, const CellSide& cell, int band) const
-{
-  const auto part = std::find_if(
-    parts_.begin(), parts_.end(), [&](const Part& some) { return some.group.name == group; });
-  return part == parts_.end() ? 0
-                              : shown(*part, cell, band, part->errors.standardError(cell, band));
 }
 
 double LightGroupErrors::standardError(const CellSide& cell, int band) const
@@ -163,29 +127,6 @@ double LightGroupErrors::standardError(const CellSide& cell, int band) const
   }
   const bool isKnown = groups_.irradiance(cell, band) >= ErrorEstimate::kFewestPhotons * doubtful;
   return isKnown ? std::sqrt(square) : std::numeric_limits<double>::quiet_NaN();
-}
-
-double LightGroupErrors::ofReplicate(const CellSide& cell, int band, std::uint32_t replicate) const
-{
-  double sum = 0;
-  for (const Part& part : parts_)
-  {
-    sum += shown(part, cell, band, part.errors.ofReplicate(cell, band, replicate));
-  }
-  return sum;
-}
-
-double LightGroupErrors::ofPhoton(const CellSide& cell, int band) const
-{
-  double most = 0, mostOfLit = 0;
-  for (const Part& part : parts_)
-  {
-    const double photon = shown(part, cell, band, part.errors.quantaPerPhoton(cell, band));
-    most = std::max(most, photon);
-    mostOfLit =
-      part.group.engine->irradiance(cell, band) > 0 ? std::max(mostOfLit, photon) : mostOfLit;
-  }
-  return mostOfLit > 0 ? mostOfLit : most;
 }
 
 }

@@ -6,11 +6,12 @@
 #include "IrradianceEngine.h"
 #include "Surfaces/GroupLamps.h"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace irradiance
@@ -29,6 +30,7 @@ struct LightGroup
 {
   std::string name;
   Bands factor{}, scale{};
+  std::uint32_t number = Emission::kNone;   ///< see Emission::groups; kNone of darkness
   std::shared_ptr<IrradianceEngine> engine; ///< null: the group is switched off
 
   /// What the engine says, in any unit, for the lamps as they shine. With a factor of 1 it is the
@@ -41,12 +43,10 @@ struct LightGroup
 };
 
 /**
- * The light of a scene, group by group. The lamps of a group are computed as if they were the only
- * ones in the scene, and what they bring is multiplied by the factor of the group. So a factor
- * changes no walk and no ray, and a group that is off costs nothing; if a lamp moves, the walks of
- * its group are shot again, and those of others are verified for what it shades. Light adds up: the
- * whole is the sum over the groups in the order of their names. They are independent, so variances
- * add up too.
+ * The light of a scene, group by group, see Documentation/Theory.md, 1.6. The lamps of a group are
+ * computed as if they were the only ones in the scene, and what they bring is multiplied by the
+ * factor of the group. Light adds up: the whole is the sum over the groups in the order of their
+ * names. They are independent, so variances add up too.
  *
  * Where there are several groups, or one that has been named, lamps are scaled so that the
  * brightest of a group has 1 in each band. Lamps that all change alike are then the same as before.
@@ -81,16 +81,9 @@ public:
   template <class Visit>
   void forEachLit(const Visit& visit) const
   {
-    for (const LightGroup& group : groups_)
+    for (const LightGroup* const group : lit_)
     {
-      if (group.engine)
-      {
-        visit(group);
-      }
-    }
-    if (darkness_.engine)
-    {
-      visit(darkness_);
+      visit(*group);
     }
   }
   /// The sum of value(engine) over these, as it is shown in a band.
@@ -120,12 +113,17 @@ public:
     return all;
   }
   /// How many groups shine; 1 if none does, see forEachLit().
-  std::size_t numberOfLit() const
-  {
-    return count([](const IrradianceEngine&) { return std::size_t{ 1 }; });
-  }
+  std::size_t numberOfLit() const { return lit_.size(); }
   /// The largest of all groups, see IrradianceEngine.
-  double reachedRelativeError() const;
+  double reachedRelativeError() const
+  {
+    double most = 0;
+    forEachLit([&](const LightGroup& group) {
+      const double reached = group.engine->reachedRelativeError();
+      most = std::isnan(reached) || reached > most ? reached : most;
+    });
+    return most;
+  }
   /// W/m2.
   double irradiance(const CellSide& cell, int band) const
   {
@@ -138,8 +136,6 @@ public:
   bool isValid() const { return isValid_; }
 
 private:
-  static constexpr std::uint32_t kNone = Emission::kNone;
-
   /// What is kept of a group while its lamps are there.
   struct Member
   {
@@ -151,15 +147,14 @@ private:
     return asked.objects.sky && number == asked.ofSky;
   }
   void findGroups(const Asked& asked, Ranks& ranks);
-  /// `number`: of the group; kNone: of darkness. `budget`: of time, s.
-  void updateLit(const Asked& asked, std::uint32_t number, LightGroup& group, double budget,
-    Execution& execution);
+  /// `budget`: of time, s.
+  void updateLit(const Asked& asked, LightGroup& group, double budget, Execution& execution);
 
   SceneLamps lamps_;
   std::map<std::string, Member> members_; ///< by name of the group
   std::vector<LightGroup> groups_;
-  std::vector<std::uint32_t> numbers_; ///< of these
-  LightGroup darkness_;                ///< has no engine where something shines
+  LightGroup darkness_;          ///< has no engine where something shines
+  std::vector<LightGroup*> lit_; ///< of these, after an update
   std::shared_ptr<IrradianceEngine> any_;
   bool areSeveral_ = false, isValid_ = false;
   std::uint64_t state_ = 0;
@@ -169,17 +164,48 @@ private:
 class LightGroupErrors
 {
 public:
-  explicit LightGroupErrors(const LightGroups& groups);
+  explicit LightGroupErrors(const LightGroups& groups)
+    : groups_(groups)
+  {
+    groups.forEachLit([&](const LightGroup& group) {
+      parts_.push_back({ group, group.engine->errorEstimate() });
+    });
+  }
 
   // All in W/m2, of cells with an area.
   /// NaN where too few photons arrived.
   double standardError(const CellSide& cell, int band) const;
   /// Of the light of one group; 0 if it is switched off.
-  double standardErrorOf(const std::string& group, const CellSide& cell, int band) const;
+  double standardErrorOf(const std::string& group, const CellSide& cell, int band) const
+  {
+    const auto part = std::find_if(
+      parts_.begin(), parts_.end(), [&](const Part& some) { return some.group.name == group; });
+    return part == parts_.end() ? 0
+                                : shown(*part, cell, band, part->errors.standardError(cell, band));
+  }
   /// What a replicate alone says.
-  double ofReplicate(const CellSide& cell, int band, std::uint32_t replicate) const;
+  double ofReplicate(const CellSide& cell, int band, std::uint32_t replicate) const
+  {
+    double sum = 0;
+    for (const Part& part : parts_)
+    {
+      sum += shown(part, cell, band, part.errors.ofReplicate(cell, band, replicate));
+    }
+    return sum;
+  }
   /// What one photon of full power brings: of those groups that bring any the most.
-  double ofPhoton(const CellSide& cell, int band) const;
+  double ofPhoton(const CellSide& cell, int band) const
+  {
+    double most = 0, mostOfLit = 0;
+    for (const Part& part : parts_)
+    {
+      const double photon = shown(part, cell, band, part.errors.quantaPerPhoton(cell, band));
+      most = std::max(most, photon);
+      mostOfLit =
+        part.group.engine->irradiance(cell, band) > 0 ? std::max(mostOfLit, photon) : mostOfLit;
+    }
+    return mostOfLit > 0 ? mostOfLit : most;
+  }
 
 private:
   struct Part
@@ -189,7 +215,11 @@ private:
   };
 
   /// As it is shown; `quanta` of a cell.
-  static double shown(const Part& part, const CellSide& cell, int band, double quanta);
+  static double shown(const Part& part, const CellSide& cell, int band, double quanta)
+  {
+    const IrradianceEngine& engine = *part.group.engine;
+    return part.group.shown(engine.watts(quanta) / engine.cells().area(cell), band);
+  }
 
   const LightGroups& groups_;
   std::vector<Part> parts_;

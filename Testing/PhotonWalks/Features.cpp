@@ -15,14 +15,14 @@ constexpr int kFrames = kIsSanitized ? 4 : 6;
 
 /// Motions of all kinds.
 std::function<Film()> moving(const EngineSettings& settings, int bands, bool isClosed,
-  unsigned seed, bool isGlossy = false, bool hasGroups = false)
+  unsigned seed, bool isGlossy = false, bool hasSky = false)
 {
   return [=] {
     MovingScene scene(bands, isClosed, seed, isGlossy);
     Film film;
     for (int frame = 0; frame < kFrames; ++frame, scene.nextFrame())
     {
-      film.push_back({ hasGroups ? inTwoGroups(scene.objects()) : scene.objects(), settings });
+      film.push_back({ hasSky ? underSky(scene.objects()) : scene.objects(), settings });
     }
     return film;
   };
@@ -342,7 +342,7 @@ std::function<Film()> comingAndGoing(const EngineSettings& settings, unsigned se
       frame.settings.cacheStaticHits = isOneOf(2);
       frame.settings.separateSides = frame.settings.separateSides != isOneOf(8);
       frame.settings.replicates = isOneOf(8) ? 5 - frame.settings.replicates : settings.replicates;
-      frame.objects = seed % 2 == 0 ? inTwoGroups(scene.objects()) : scene.objects();
+      frame.objects = seed % 2 == 0 ? underSky(scene.objects()) : scene.objects();
       for (std::size_t i = 0; i < isAway.size(); ++i)
       {
         isAway[i] = isAway[i] != isOneOf(3);
@@ -595,20 +595,20 @@ std::vector<Feature> features()
     { "GlossInColour", moving(Shoot(few).bySide(), 3, false, 25, true) },
     { "ErrorBars", moving(Shoot(walks).errors(16).cached(), 1, false, 71, true) },
     { "ErrorBarsInColour", moving(Shoot(walks).errors(16).bySide(), 3, true, 72) },
-    { "TwoGroups", moving(Shoot(walks).errors(16), 3, false, 11, false, true) },
+    { "UnderASky", moving(Shoot(walks).errors(16), 3, false, 11, false, true) },
     { "Target", shaded(Shoot(3001).errors(16).target(0.2, 100000)), {}, true },
-    { "TargetInTwoGroups",
-      moving(Shoot(few).errors(16).target(0.5, 20000), 3, false, 6, false, true), {}, true },
+    { "TargetUnderASky", moving(Shoot(few).errors(16).target(0.5, 20000), 3, false, 6, false, true),
+      {}, true },
     { "GatheredLight", moving(Shoot(walks).gathered(), 1, false, 26) },
     { "GatheredLightInColour",
       moving(Shoot(few).gathered().bySide().errors(3), 3, false, 27, true) },
-    { "GatheredLightInTwoGroups",
+    { "GatheredLightUnderASky",
       moving(Shoot(few).gathered().errors(16), 3, false, 9, false, true) },
     { "TargetOfGatheredLight", shaded(Shoot(3001).gathered().errors(16).target(0.2, 100000)), {},
       true },
     { "Spread", moving(Shoot(walks).spread(400).errors(4), 1, false, 73) },
     { "SpreadInColour", moving(Shoot(few).spread(100).errors(4).bySide(), 3, true, 73) },
-    { "SpreadInTwoGroups", moving(Shoot(walks).spread(60), 3, false, 5, false, true) },
+    { "SpreadUnderASky", moving(Shoot(walks).spread(60), 3, false, 5, false, true) },
     { "SpreadOfGatheredLight",
       moving(Shoot(walks).spread(200).gathered().errors(4), 1, false, 74) },
     { "SpreadTarget", moving(Shoot(few).spread(100).errors(8).target(0.35, 30000), 1, true, 75), {},
@@ -634,7 +634,7 @@ std::vector<Feature> features()
       {}, true },
     { "FinalGatherWhilePartsComeAndGo", comingAndGoing(Shoot(5000).finalGather(7), 79), {}, true },
     { "PartsThatComeAndGo", comingAndGoing(Shoot(300).spread(60).keptByAll(), 1), byAll, true },
-    { "PartsThatComeAndGoInTwoGroups", comingAndGoing(Shoot(300).spread(60).keptByAll(), 2), byAll,
+    { "PartsThatComeAndGoUnderASky", comingAndGoing(Shoot(300).spread(60).keptByAll(), 2), byAll,
       true },
     { "Contacts", touching(Shoot(walks).bySide().cached()) },
     { "ContactsOfGatheredLight", touching(Shoot(few).gathered().bySide()) },

@@ -79,19 +79,18 @@ inline SceneObject block(
   return builder.build(shift(at));
 }
 
-/// The scene with its point lights, all on the static object, in a group of their own: two sets of
-/// walks.
-inline SceneObjects inTwoGroups(const SceneObjects& objects)
+/// The scene with a sky, which has a set of walks beside that of the lamps.
+inline SceneObjects underSky(SceneObjects objects)
 {
-  Emission emission = *objects.staticObject.emission;
-  emission.groups.assign(objects.staticObject.material->numberOfCells, 0);
-  for (const PointSource& source : emission.points)
-  {
-    emission.groups[source.cell] = 1;
-  }
-  SceneObjects grouped = objects;
-  grouped.staticObject.emission = std::make_shared<const Emission>(std::move(emission));
-  return grouped;
+  Sky sky;
+  sky.lit = objects.staticObject.worldBounds();
+  sky.lit.inflate(1);
+  sky.polarAngles = { 0, 90 };
+  sky.azimuths = { 0 };
+  sky.radiance = { 0.5, 0.5 };
+  sky.bandWeights.assign(static_cast<std::size_t>(objects.staticObject.material->bands), 1);
+  objects.sky = std::make_shared<const Sky>(sky);
+  return objects;
 }
 
 /// Every cell emits what it does not reflect, 1 - reflectance, so E = 1 everywhere.

@@ -45,10 +45,10 @@ bool isOnLight(const Vector3& point)
 TEST(FinalGatherPaths, BeginOnTheLight)
 {
   const MovingScene scene(3, true, 34, true);
-  const SceneObjects objects = inTwoGroups(scene.objects());
+  const SceneObjects& objects = scene.objects();
   Execution serial;
   UpdatedEngine engine(objects, pathSettings(5000), serial);
-  ASSERT_EQ(engine.walks().sets().size(), 2 * (1 + objects.dynamicObjects.size()));
+  ASSERT_EQ(engine.walks().sets().size(), 1 + objects.dynamicObjects.size());
   std::int64_t born = 0, bornAtDynamic = 0;
   for (const WalkSet& set : engine.walks().sets())
   {

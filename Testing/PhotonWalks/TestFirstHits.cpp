@@ -188,7 +188,7 @@ TEST(NearLights, HaveTheWholeSourceOrNoneOfIt)
   EXPECT_TRUE(sources[0].plan == few);
 }
 
-TEST(NearLights, OfEachGroupHaveQuantaOfTheSameWorth)
+TEST(NearLights, BesideASkyHaveQuantaOfTheSameWorth)
 {
   SceneObjects objects = nearAndFar();
   ObjectBuilder room = walls();
@@ -196,7 +196,7 @@ TEST(NearLights, OfEachGroupHaveQuantaOfTheSameWorth)
   addLamp(room, 0.05, 0.05, 3);
   room.addPointLight({ 3, 3, 2 }, 5);
   objects.staticObject = room.build();
-  const std::vector<WalkSource> sources = gatheredOf(inTwoGroups(objects), { 10030, 10030, 16 });
+  const std::vector<WalkSource> sources = gatheredOf(underSky(objects), { 10030, 10030, 16 });
   ASSERT_EQ(sources.size(), 5u);
   for (const WalkSource& source : sources)
   {
@@ -204,20 +204,17 @@ TEST(NearLights, OfEachGroupHaveQuantaOfTheSameWorth)
   }
 }
 
-/// Each of two groups has near lights, which shoot more walks than their share.
-TEST(NearLights, OfEachGroupHaveWalksOfTheirOwn)
+/// They shoot more walks than their share.
+TEST(NearLights, HaveWalksOfTheirOwn)
 {
   ObjectBuilder room = walls();
   addLamp(room, 2.5, 1, 3);
   addLamp(room, 0.05, 0.05, 8);
   addStrip(room, 8);
   room.addPointLight({ 3, 3, 2 }, 3);
-  SceneObjects objects = inTwoGroups({ room.build(), {} });
-  Emission emission = *objects.staticObject.emission;
-  emission.groups[objects.staticObject.material->numberOfCells - 1] = 1; // the strip
-  objects.staticObject.emission = std::make_shared<const Emission>(std::move(emission));
-  const std::vector<WalkSource> sources = gatheredOf(objects, { 10030, 4 * 10030, 16 });
-  ASSERT_EQ(sources.size(), 4u);
+  const std::vector<WalkSource> sources =
+    gatheredOf(underSky({ room.build(), {} }), { 10030, 4 * 10030, 16 });
+  ASSERT_EQ(sources.size(), 3u);
   // No two walks that may be shot have the same number.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> numbers;
   for (const WalkSource& source : sources)

@@ -15,6 +15,20 @@ namespace
 
 const std::vector<LampGroup> kTwo{ { "Panel", true }, { "Point", true } };
 
+/// The scene with its point lights, all on the static object, in a group of their own.
+SceneObjects inTwoGroups(const SceneObjects& objects)
+{
+  Emission emission = *objects.staticObject.emission;
+  emission.groups.assign(objects.staticObject.material->numberOfCells, 0);
+  for (const PointSource& source : emission.points)
+  {
+    emission.groups[source.cell] = 1;
+  }
+  SceneObjects grouped = objects;
+  grouped.staticObject.emission = std::make_shared<const Emission>(std::move(emission));
+  return grouped;
+}
+
 /// A static panel and a static point light, a lamp on a dynamic object, and things that move.
 class LampScene
 {

@@ -62,26 +62,15 @@ TEST(LightSurvey, TellsHowUnevenlyAPointLightsARoom)
   }
 }
 
-// Two lights in places of their own are as uneven as both together, whether they are one group or
-// two.
-TEST(LightSurvey, AddsUpGroups)
+// Two lights in places of their own: of what each lights the other lights little.
+TEST(LightSurvey, AddsUpLights)
 {
-  for (const bool areTwo : { false, true })
-  {
-    ObjectBuilder room = surveyedRoom(), lamp;
-    room.addPointLight({ 2.1, 1.9, 2.9 }, 10);
-    lamp.addPointLight({ 2.1, 1.9, 0.1 }, 10);
-    SceneObjects objects{ room.build(), { lamp.build() } };
-    if (areTwo)
-    {
-      auto emission = std::make_shared<Emission>(*objects.dynamicObjects[0].emission);
-      emission->groups = { 1 };
-      objects.dynamicObjects[0].emission = emission;
-    }
-    const double one = unevennessFrom({ 2.1, 1.9, 2.9 }, objects.staticObject);
-    // Of what each lights the other lights little.
-    EXPECT_NEAR(surveyOf(objects).unevenness(), one / 2, 0.15 * one) << areTwo;
-  }
+  ObjectBuilder room = surveyedRoom(), lamp;
+  room.addPointLight({ 2.1, 1.9, 2.9 }, 10);
+  lamp.addPointLight({ 2.1, 1.9, 0.1 }, 10);
+  const SceneObjects objects{ room.build(), { lamp.build() } };
+  const double one = unevennessFrom({ 2.1, 1.9, 2.9 }, objects.staticObject);
+  EXPECT_NEAR(surveyOf(objects).unevenness(), one / 2, 0.15 * one);
 }
 
 // What walls emit that are dim is sent by all alike.
@@ -124,21 +113,22 @@ TEST(FrameLights, StayAsLongAsLightsDo)
   FrameLights lights;
   ObjectSides sides;
   const WalkPlan plan(10000, 10000, 1), other(20000, 20000, 1);
-  const LightSurvey* const first = &lights.survey(objects, plan, sides, {});
-  const LampPieces* const lamps = first->groups()[0].lamps.get();
+  const auto lampsOf = [&](const WalkPlan& some) {
+    lights.update(objects, some, sides, {});
+    return lights.survey().groups()[0].lamps;
+  };
+  const std::shared_ptr<const LampPieces> first = lampsOf(plan);
   objects.dynamicObjects[0].worldFromObject.translation[0] = 0.5;
-  EXPECT_EQ(lights.survey(objects, plan, sides, {}).groups()[0].lamps.get(), lamps);
-  const std::shared_ptr<const LampPieces> kept = first->groups()[0].lamps;
-  EXPECT_NE(lights.survey(objects, other, sides, {}).groups()[0].lamps, kept);
+  EXPECT_EQ(lampsOf(plan), first);
+  EXPECT_NE(lampsOf(other), first);
   // A wall that moves may touch a point in the air.
   ObjectBuilder inAir = surveyedRoom();
   inAir.addPointLight({ 1, 1, 1.5 }, 10);
   objects.staticObject = inAir.build();
-  const std::shared_ptr<const LampPieces> before =
-    lights.survey(objects, plan, sides, {}).groups()[0].lamps;
-  EXPECT_EQ(lights.survey(objects, plan, sides, {}).groups()[0].lamps, before);
+  const std::shared_ptr<const LampPieces> before = lampsOf(plan);
+  EXPECT_EQ(lampsOf(plan), before);
   objects.dynamicObjects[0].worldFromObject.translation[0] = 0;
-  EXPECT_NE(lights.survey(objects, plan, sides, {}).groups()[0].lamps, before);
+  EXPECT_NE(lampsOf(plan), before);
 }
 
 /// None if shooting costs less. Where half of the light returns, and so much is the power of a walk

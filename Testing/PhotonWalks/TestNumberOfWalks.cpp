@@ -66,7 +66,7 @@ TEST(NumberOfWalks, ColoursStayWhileQuantaDo)
 // Walks of later sources have numbers from the end of those before: they would change.
 TEST(NumberOfWalks, SeveralSourcesStartAnew)
 {
-  const SceneObjects objects = inTwoGroups(MovingScene(1, true, 3).objects());
+  const SceneObjects objects = underSky(MovingScene(1, true, 3).objects());
   UpdatedEngine engine(objects, Shoot(1500));
   ASSERT_GT(engine.walks().sets().size(), 1u);
   engine.update(objects, Shoot(3000));

@@ -3,16 +3,11 @@
 
 #include "History/PageScan.h"
 
-#include <algorithm>
-#include <cstring>
-
 namespace irradiance
 {
 
 namespace
 {
-
-constexpr std::uint8_t kManyBounces = 255;
 
 std::uint8_t tagOf(std::uint8_t kind, GridSegments::State state)
 {
@@ -34,63 +29,6 @@ void copySome(const Value* from, std::size_t count, Value* to)
   std::copy_n(from, count, to);
 }
 
-}
-
-BounceBlock::BounceBlock(BlockArena& arena, std::uint32_t firstWalk, std::uint32_t numberOfWalks,
-  int bands, const PointGrid& grid, const Power& power)
-  : arena_(&arena)
-  , firstWalk_(firstWalk)
-  , numberOfWalks_(numberOfWalks)
-  , size_(numberOfWalks)
-  , bands_(bands > 1 ? static_cast<std::uint32_t>(bands) : 0)
-  , grid_(grid)
-  , power_(power)
-{
-}
-
-BounceBlock::~BounceBlock()
-{
-  for (BouncePage* const page : pages_)
-  {
-    arena_->giveBack(page);
-  }
-}
-
-void BounceBlock::addPage()
-{
-  if (pages_.size() == pages_.capacity())
-  {
-    pages_.reserve(2 * pages_.size() + 1); // now, so that a page that was taken is never lost
-  }
-  auto* const page = static_cast<BouncePage*>(arena_->take());
-  pages_.push_back(page);
-  std::memset(page->tags, BounceTag::kFree, sizeof page->tags);
-}
-
-std::int64_t* BounceBlock::powersAt(std::uint32_t slot) const
-{
-  auto* const powers = reinterpret_cast<std::int64_t*>(pages_[slot / BouncePage::kSize] + 1);
-  return powers + std::size_t{ slot % BouncePage::kSize } * bands_;
-}
-
-std::uint32_t BounceBlock::newSlot()
-{
-  if (!free_.empty())
-  {
-    const std::uint32_t slot = free_.back();
-    free_.pop_back();
-    return slot;
-  }
-  while (size_ % kPart >= kCrossing)
-  {
-    ++size_; // a slot that no link can name; its tag stays free
-  }
-  const std::uint32_t slot = size_++;
-  if (pages_.size() * BouncePage::kSize <= slot)
-  {
-    addPage();
-  }
-  return slot;
 }
 
 void BounceBlock::append(
@@ -137,22 +75,6 @@ void BounceBlock::appendSome(
   }
 }
 
-void BounceBlock::prefetchToStore(std::uint32_t slot, std::uint32_t parent) const
-{
-  const BouncePage& page = pageOf(slot);
-  const std::uint32_t place = slot % BouncePage::kSize;
-  for (const auto& column : page.ends)
-  {
-    prefetchLine(column + place);
-  }
-  prefetchLine(page.bounces + place);
-  if (parent != kNone)
-  {
-    prefetchLine(pageOf(parent).bounces + parent % BouncePage::kSize);
-    prefetchLine(pageOf(parent).children + parent % BouncePage::kSize);
-  }
-}
-
 /// Rows from `row` on, placed from `at` on, to consecutive slots of a page.
 void BounceBlock::storeRun(const BounceColumns& front, std::size_t row,
   const GridSegments& segments, std::size_t at, std::uint32_t slot, std::size_t count)
@@ -165,7 +87,12 @@ void BounceBlock::storeRun(const BounceColumns& front, std::size_t row,
   }
   for (std::size_t i = 0; i < count; ++i)
   {
-    page.records[place + i] = recordOf(front, row + i);
+    const unsigned contact =
+      front.kinds[row + i] == BounceColumns::kContact ? BounceRecord::kContact : 0;
+    const unsigned side = front.isFront[row + i] != 0 ? 0 : BounceRecord::kBack;
+    page.records[place + i] = { front.triangles[row + i],
+      { front.weights[0][row + i], front.weights[1][row + i] },
+      static_cast<std::uint16_t>((front.walks[row + i] - firstWalk_) | side | contact), kEnd };
     page.tags[place + i] =
       tagOf(front.kinds[row + i], static_cast<GridSegments::State>(segments.states[at + i]));
     page.children[place + i] = kEnd;
@@ -188,48 +115,6 @@ void BounceBlock::storeRun(const BounceColumns& front, std::size_t row,
   }
 }
 
-/// Not linked yet.
-BounceRecord BounceBlock::recordOf(const BounceColumns& front, std::size_t row) const
-{
-  const unsigned contact = front.kinds[row] == BounceColumns::kContact ? BounceRecord::kContact : 0;
-  const unsigned side = front.isFront[row] != 0 ? 0 : BounceRecord::kBack;
-  return { front.triangles[row], { front.weights[0][row], front.weights[1][row] },
-    static_cast<std::uint16_t>((front.walks[row] - firstWalk_) | side | contact), kEnd };
-}
-
-void BounceBlock::link(std::uint32_t parent, std::uint32_t slot)
-{
-  BouncePage& from = pageOf(parent);
-  BouncePage& to = pageOf(slot);
-  const std::uint32_t before = parent % BouncePage::kSize, place = slot % BouncePage::kSize;
-  const bool isNear = partOf(parent) == partOf(slot);
-  from.children[before] = isNear ? static_cast<std::uint16_t>(slot) : kCrossing;
-  to.records[place].parent = isNear ? static_cast<std::uint16_t>(parent) : kCrossing;
-  to.bounces[place] =
-    static_cast<std::uint8_t>(std::min<int>(from.bounces[before] + 1, kManyBounces));
-  if (!isNear)
-  {
-    children_[parent] = slot;
-    parents_[slot] = parent;
-  }
-}
-
-/// From the segment before it.
-void BounceBlock::unlink(std::uint32_t slot)
-{
-  const std::uint32_t parent = previous(slot);
-  if (parent == kNone)
-  {
-    return;
-  }
-  pageOf(parent).children[parent % BouncePage::kSize] = kEnd;
-  if (partOf(parent) != partOf(slot))
-  {
-    children_.erase(parent);
-    parents_.erase(slot);
-  }
-}
-
 void BounceBlock::removeFrom(std::uint32_t slot)
 {
   unlink(slot);
@@ -248,52 +133,6 @@ void BounceBlock::removeFrom(std::uint32_t slot)
     }
     slot = after;
   }
-}
-
-std::uint32_t BounceBlock::slotOf(const SegmentRef& segment) const
-{
-  std::uint32_t slot = begin(segment.walk);
-  for (std::uint32_t bounce = 0; bounce < segment.bounce && slot != kNone; ++bounce)
-  {
-    slot = next(slot);
-  }
-  return slot;
-}
-
-std::uint32_t BounceBlock::lastOf(std::uint32_t walk) const
-{
-  std::uint32_t last = kNone;
-  forEachFrom(begin(walk), [&](std::uint32_t slot) { last = slot; });
-  return last;
-}
-
-std::uint32_t BounceBlock::bounceOf(std::uint32_t slot) const
-{
-  std::uint32_t more = 0;
-  while (pageOf(slot).bounces[slot % BouncePage::kSize] == kManyBounces)
-  {
-    slot = previous(slot);
-    ++more;
-  }
-  return pageOf(slot).bounces[slot % BouncePage::kSize] + more;
-}
-
-Power BounceBlock::power(std::uint32_t slot) const
-{
-  if (bands_ == 0)
-  {
-    return power_;
-  }
-  Power power;
-  std::copy_n(powersAt(slot), bands_, power.quanta.begin());
-  return power;
-}
-
-std::size_t BounceBlock::bytes() const
-{
-  constexpr std::size_t kNode = 4 * sizeof(void*); // of a map, and its share of the buckets
-  return sizeof(*this) + pages_.size() * arena_->pageBytes() + pages_.capacity() * sizeof(void*) +
-    free_.capacity() * sizeof(std::uint32_t) + (children_.size() + parents_.size()) * kNode;
 }
 
 }

@@ -4,12 +4,14 @@
 
 #include "History/BlockArena.h"
 #include "History/BouncePage.h"
-#include "History/GridSegments.h"
+#include "History/PointGrid.h"
 #include "Simd/Prefetch.h"
 #include "Surfaces/Power.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <tuple>
 #include <unordered_map>
 #include <vector>
@@ -55,13 +57,10 @@ struct BounceColumns
  * The stored walks of consecutive numbers, at most WalkPlan::kWalksPerBlock, by bounces: a front of
  * walks is appended as it was shot.
  *
- * Each segment has a slot, which it keeps. The first segment of a walk is in the slot of the walk's
- * number, counted from the first; from there links lead to the segment after, and back to the one
- * before. Slots of tails that were removed are tagged as free and used again; nothing is ever
- * moved. So a slot names a segment for as long as it is stored, to photons as well.
- *
- * Slots lie in pages of 256, taken from an arena. Links have 16 bits: what links lead from one part
- * of 64 K slots to another is listed aside. That takes 64 segments a walk.
+ * Each segment has a slot, which it keeps; nothing is ever moved. So a slot names a segment for as
+ * long as it is stored, to photons as well. Documentation/Architecture.md shows how slots lie in
+ * pages. Links have 16 bits: what links lead from one part of 64 K slots to another is listed
+ * aside. That takes 64 segments a walk.
  *
  * The cache of static hits (section 3.3 of the paper) stands beside it, by slot: see HiddenHit.
  */
@@ -80,16 +79,29 @@ public:
   /// `grid`: of the ends. `power`: of all segments, if there is one band; several have a power for
   /// each segment.
   BounceBlock(BlockArena& arena, std::uint32_t firstWalk, std::uint32_t numberOfWalks, int bands,
-    const PointGrid& grid, const Power& power);
-  ~BounceBlock();
+    const PointGrid& grid, const Power& power)
+    : arena_(&arena)
+    , firstWalk_(firstWalk)
+    , numberOfWalks_(numberOfWalks)
+    , size_(numberOfWalks)
+    , bands_(bands > 1 ? static_cast<std::uint32_t>(bands) : 0)
+    , grid_(grid)
+    , power_(power)
+  {
+  }
+  ~BounceBlock()
+  {
+    for (BouncePage* const page : pages_)
+    {
+      arena_->giveBack(page);
+    }
+  }
   BounceBlock(BounceBlock&& other) noexcept = default;
 
   std::uint32_t firstWalk() const { return firstWalk_; }
   std::uint32_t endWalk() const { return firstWalk_ + numberOfWalks_; }
   std::uint32_t numberOfWalks() const { return numberOfWalks_; }
   const PointGrid& grid() const { return grid_; }
-  /// All slots, free ones included.
-  std::uint32_t slots() const { return size_; }
   bool isFree(std::uint32_t slot) const { return tag(slot) == BounceTag::kFree; }
 
   /// Stores rows [first, first + count) of a front, all of walks of this block, and writes the slot
@@ -154,9 +166,31 @@ public:
       : parent == kCrossing   ? parents_.at(slot)
                               : kNone;
   }
-  std::uint32_t slotOf(const SegmentRef& segment) const;
-  std::uint32_t lastOf(std::uint32_t walk) const;
-  std::uint32_t bounceOf(std::uint32_t slot) const;
+  std::uint32_t slotOf(const SegmentRef& segment) const
+  {
+    std::uint32_t slot = begin(segment.walk);
+    for (std::uint32_t bounce = 0; bounce < segment.bounce && slot != kNone; ++bounce)
+    {
+      slot = next(slot);
+    }
+    return slot;
+  }
+  std::uint32_t lastOf(std::uint32_t walk) const
+  {
+    std::uint32_t last = kNone;
+    forEachFrom(begin(walk), [&](std::uint32_t slot) { last = slot; });
+    return last;
+  }
+  std::uint32_t bounceOf(std::uint32_t slot) const
+  {
+    std::uint32_t more = 0;
+    while (pageOf(slot).bounces[slot % BouncePage::kSize] == kManyBounces)
+    {
+      slot = previous(slot);
+      ++more;
+    }
+    return pageOf(slot).bounces[slot % BouncePage::kSize] + more;
+  }
   SegmentRef segmentAt(std::uint32_t slot) const { return { walkOf(slot), bounceOf(slot) }; }
 
   // What is known of a segment.
@@ -175,7 +209,16 @@ public:
   {
     return (record(slot).walk & BounceRecord::kContact) != 0;
   }
-  Power power(std::uint32_t slot) const;
+  Power power(std::uint32_t slot) const
+  {
+    if (bands_ == 0)
+    {
+      return power_;
+    }
+    Power power;
+    std::copy_n(powersAt(slot), bands_, power.quanta.begin());
+    return power;
+  }
   std::uint8_t tag(std::uint32_t slot) const { return pageOf(slot).tags[slot % BouncePage::kSize]; }
 
   /// Calls visit(slot) for a segment and all after it of its walk, in order. The visit must not
@@ -218,12 +261,18 @@ public:
   const std::vector<BouncePage*>& pages() const { return pages_; }
 
   /// Memory held, including unused slots.
-  std::size_t bytes() const;
+  std::size_t bytes() const
+  {
+    constexpr std::size_t kNode = 4 * sizeof(void*); // of a map, and its share of the buckets
+    return sizeof(*this) + pages_.size() * arena_->pageBytes() + pages_.capacity() * sizeof(void*) +
+      free_.capacity() * sizeof(std::uint32_t) + (children_.size() + parents_.size()) * kNode;
+  }
 
 private:
   static constexpr std::uint16_t kEnd = 0xffff;      ///< a link to nothing
   static constexpr std::uint16_t kCrossing = 0xfffe; ///< a link that is listed aside
   static constexpr std::uint32_t kPart = 1u << 16;
+  static constexpr std::uint8_t kManyBounces = 255; ///< these, or more
 
   static std::uint32_t partOf(std::uint32_t slot) { return slot & ~(kPart - 1); }
   BouncePage& pageOf(std::uint32_t slot) const { return *pages_[slot / BouncePage::kSize]; }
@@ -231,17 +280,90 @@ private:
   {
     return pageOf(slot).records[slot % BouncePage::kSize];
   }
-  std::int64_t* powersAt(std::uint32_t slot) const;
-  std::uint32_t newSlot();
-  void addPage();
+  std::int64_t* powersAt(std::uint32_t slot) const
+  {
+    auto* const powers = reinterpret_cast<std::int64_t*>(pages_[slot / BouncePage::kSize] + 1);
+    return powers + std::size_t{ slot % BouncePage::kSize } * bands_;
+  }
+  std::uint32_t newSlot()
+  {
+    if (!free_.empty())
+    {
+      const std::uint32_t slot = free_.back();
+      free_.pop_back();
+      return slot;
+    }
+    while (size_ % kPart >= kCrossing)
+    {
+      ++size_; // a slot that no link can name; its tag stays free
+    }
+    const std::uint32_t slot = size_++;
+    if (pages_.size() * BouncePage::kSize <= slot)
+    {
+      addPage();
+    }
+    return slot;
+  }
+  void addPage()
+  {
+    if (pages_.size() == pages_.capacity())
+    {
+      pages_.reserve(2 * pages_.size() + 1); // now, so that a page that was taken is never lost
+    }
+    auto* const page = static_cast<BouncePage*>(arena_->take());
+    pages_.push_back(page);
+    std::memset(page->tags, BounceTag::kFree, sizeof page->tags);
+  }
   void appendSome(
     const BounceColumns& front, std::size_t first, std::size_t count, std::uint32_t* slots);
-  void prefetchToStore(std::uint32_t slot, std::uint32_t parent) const;
+  void prefetchToStore(std::uint32_t slot, std::uint32_t parent) const
+  {
+    const BouncePage& page = pageOf(slot);
+    const std::uint32_t place = slot % BouncePage::kSize;
+    for (const auto& column : page.ends)
+    {
+      prefetchLine(column + place);
+    }
+    prefetchLine(page.bounces + place);
+    if (parent != kNone)
+    {
+      prefetchLine(pageOf(parent).bounces + parent % BouncePage::kSize);
+      prefetchLine(pageOf(parent).children + parent % BouncePage::kSize);
+    }
+  }
   void storeRun(const BounceColumns& front, std::size_t row, const GridSegments& segments,
     std::size_t at, std::uint32_t slot, std::size_t count);
-  BounceRecord recordOf(const BounceColumns& front, std::size_t row) const;
-  void link(std::uint32_t parent, std::uint32_t slot);
-  void unlink(std::uint32_t slot);
+  void link(std::uint32_t parent, std::uint32_t slot)
+  {
+    BouncePage& from = pageOf(parent);
+    BouncePage& to = pageOf(slot);
+    const std::uint32_t before = parent % BouncePage::kSize, place = slot % BouncePage::kSize;
+    const bool isNear = partOf(parent) == partOf(slot);
+    from.children[before] = isNear ? static_cast<std::uint16_t>(slot) : kCrossing;
+    to.records[place].parent = isNear ? static_cast<std::uint16_t>(parent) : kCrossing;
+    to.bounces[place] =
+      static_cast<std::uint8_t>(std::min<int>(from.bounces[before] + 1, kManyBounces));
+    if (!isNear)
+    {
+      children_[parent] = slot;
+      parents_[slot] = parent;
+    }
+  }
+  /// From the segment before it.
+  void unlink(std::uint32_t slot)
+  {
+    const std::uint32_t parent = previous(slot);
+    if (parent == kNone)
+    {
+      return;
+    }
+    pageOf(parent).children[parent % BouncePage::kSize] = kEnd;
+    if (partOf(parent) != partOf(slot))
+    {
+      children_.erase(parent);
+      parents_.erase(slot);
+    }
+  }
 
   BlockArena* arena_;
   std::uint32_t firstWalk_, numberOfWalks_;

@@ -86,14 +86,6 @@ public:
       balls_.data(), static_cast<std::uint32_t>(bodies_.size()), areSmall_, stretch_, near.data(),
       flagged.data() };
     bounceLoops().scanPages(scan);
-    listFlagged(flagged, slots);
-  }
-
-private:
-  /// The slots whose bits are set, see PageScan.
-  static void listFlagged(
-    const std::vector<std::uint16_t>& flagged, std::vector<std::uint32_t>& slots)
-  {
     slots.clear();
     for (std::size_t group = 0; group < flagged.size(); ++group)
     {
@@ -105,6 +97,7 @@ private:
     }
   }
 
+private:
   PointGrid grid_;
   float stretch_[3];
   TagSet tags_;

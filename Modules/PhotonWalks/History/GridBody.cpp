@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "History/GridBody.h"
 
-#include "History/GridSegments.h"
-
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
@@ -32,23 +30,6 @@ double largestOfCube(const Matrix3& matrix)
     }
   }
   return largest;
-}
-
-void setLineBall(const Vector3& center, double radius, GridBall& ball)
-{
-  constexpr double kFarthest = 36000; // so that all sums fit in 16 bits
-  constexpr double kRounding = 4;     // of a line and the ball, in units
-  if (center.cwiseAbs().maxCoeff() < kFarthest)
-  {
-    const auto twice = [](double value) {
-      return 0x10001u * static_cast<std::uint16_t>(static_cast<std::int16_t>(std::lround(value)));
-    };
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      ball.lineCenter[axis] = twice(center[axis] / GridBall::kLineUnit);
-    }
-    ball.lineRadius = twice(std::ceil(radius / GridBall::kLineUnit + kRounding));
-  }
 }
 
 }
@@ -90,7 +71,20 @@ GridBall ballOnGrid(const PointGrid& grid, const EllipsoidBound& bound)
   {
     Eigen::Map<Eigen::Vector3f>(ball.center) = center.cast<float>();
     ball.squaredRadius = static_cast<float>(radius * radius * kMore);
-    setLineBall(center, std::sqrt(static_cast<double>(ball.squaredRadius)), ball);
+  }
+  constexpr double kFarthest = 36000; // so that all sums fit in 16 bits
+  if (ball.isSmall() && center.cwiseAbs().maxCoeff() < kFarthest)
+  {
+    constexpr double kRounding = 4; // of a line and the ball, in units
+    const auto twice = [](double value) {
+      return 0x10001u * static_cast<std::uint16_t>(static_cast<std::int16_t>(std::lround(value)));
+    };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      ball.lineCenter[axis] = twice(center[axis] / GridBall::kLineUnit);
+    }
+    const double widest = std::sqrt(static_cast<double>(ball.squaredRadius));
+    ball.lineRadius = twice(std::ceil(widest / GridBall::kLineUnit + kRounding));
   }
   return ball;
 }

@@ -4,7 +4,6 @@
 
 #include "History/BouncePage.h"
 #include "History/GridBody.h"
-#include "History/GridSegments.h"
 #include "Simd/SimdLevel.h"
 
 #include <cstddef>

@@ -29,10 +29,12 @@ Vector3 pointOn(const Triangle& triangle, std::size_t number)
   return triangle.a + b * (triangle.b - triangle.a) + c * (triangle.c - triangle.a);
 }
 
-/// Of all triangles in the world, object by object.
-std::vector<double> areasOf(const SceneObjects& objects, ThrottledCancelPoint& pace)
+/// Some points, evenly spread over all surfaces; none if their area is no number to count with.
+std::vector<Vector3> pointsOnSurfaces(const SceneObjects& objects, const CancelPoint& cancelPoint)
 {
-  std::vector<double> areas;
+  constexpr std::size_t kPoints = 512;
+  ThrottledCancelPoint pace(cancelPoint);
+  std::vector<double> areas; // of all triangles in the world, object by object
   for (std::uint32_t object = 0; object < objects.size(); ++object)
   {
     for (const Triangle& own : objects[object].mesh().triangles())
@@ -41,15 +43,6 @@ std::vector<double> areasOf(const SceneObjects& objects, ThrottledCancelPoint& p
       pace.step();
     }
   }
-  return areas;
-}
-
-/// Some points, evenly spread over all surfaces; none if their area is no number to count with.
-std::vector<Vector3> pointsOnSurfaces(const SceneObjects& objects, const CancelPoint& cancelPoint)
-{
-  constexpr std::size_t kPoints = 512;
-  ThrottledCancelPoint pace(cancelPoint);
-  const std::vector<double> areas = areasOf(objects, pace);
   const double all = std::accumulate(areas.begin(), areas.end(), 0.0);
   std::vector<Vector3> points;
   if (!(all > 0) || !std::isfinite(all))
@@ -99,14 +92,10 @@ std::pair<Vector3, double> middleOf(const std::vector<Vector3>& points)
   return { center, spread };
 }
 
-bool isWithin(const Box& inner, const Box& outer, int axis)
+/// By axis.
+Eigen::Array<bool, 3, 1> isWithin(const Box& inner, const Box& outer)
 {
-  return inner.lower[axis] >= outer.lower[axis] && inner.upper[axis] <= outer.upper[axis];
-}
-
-bool isWithin(const Box& inner, const Box& outer)
-{
-  return isWithin(inner, outer, 0) && isWithin(inner, outer, 1) && isWithin(inner, outer, 2);
+  return inner.lower.array() >= outer.lower.array() && inner.upper.array() <= outer.upper.array();
 }
 
 }
@@ -135,14 +124,15 @@ PointGrid pointGrid(const SceneObjects& objects, const Box& bounds, const Cancel
   Box near{ center, center }, inner = near;
   near.inflate(kNear * spread);
   inner.inflate(kInner * spread);
-  if (!(spread > 0) || isWithin(bounds, near))
+  const Eigen::Array<bool, 3, 1> isNear = isWithin(bounds, near);
+  if (!(spread > 0) || isNear.all())
   {
     return PointGrid(bounds);
   }
   Box box = bounds;
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (!isWithin(bounds, near, axis))
+    if (!isNear[axis])
     {
       box.lower[axis] = std::max(bounds.lower[axis], inner.lower[axis]);
       box.upper[axis] = std::min(bounds.upper[axis], inner.upper[axis]);
@@ -151,7 +141,7 @@ PointGrid pointGrid(const SceneObjects& objects, const Box& bounds, const Cancel
   for (const SceneObject& object : objects.dynamicObjects)
   {
     const Box its = object.worldBounds();
-    if (!its.isEmpty() && isWithin(its, near))
+    if (!its.isEmpty() && isWithin(its, near).all())
     {
       box.add(its);
     }

@@ -5,6 +5,9 @@
 #include "Geometry/Vector.h"
 #include "Progress/CancelPoint.h"
 
+#include <cstddef>
+#include <cstdint>
+
 namespace irradiance
 {
 
@@ -33,18 +36,45 @@ struct PointGrid
   Vector3 world(const Vector3& place) const { return center + place.cwiseProduct(step); }
 };
 
-/**
- * The grid of a scene. `bounds`: of all geometry and point lights. Let m be the median, axis by
- * axis, of points spread evenly over all surfaces, and s the median of their distances from it,
- * along the axis on which that is largest. Half of all area has to be far away before it moves
- * them.
- *
- * The grid holds all of an axis on which nothing is farther than 32 s from m, so all of an ordinary
- * scene. Otherwise it holds what is within 16 s there, and in any case all dynamic objects that are
- * within 32 s.
- */
+/// The grid of a scene: all of an ordinary one; where things are far away, what is near to most
+/// surfaces, and what moves there. Documentation/Theory.md says how far. `bounds`: of all geometry
+/// and point lights.
 PointGrid pointGrid(
   const SceneObjects& objects, const Box& bounds, const CancelPoint& cancelPoint = {});
+
+/// Columns of rays. All can be read up to kPadding places behind the last ray.
+struct RayColumns
+{
+  static constexpr std::size_t kPadding = 8;
+
+  const double* origin[3];
+  const float* direction[3]; ///< unit vectors
+  const double* distance;    ///< to the hit; infinite if there is none
+};
+
+/**
+ * Segments on the grid. One that is not whole within the grid is cut where it enters and leaves;
+ * one that misses the grid lies in a corner. Each end is within 1/2 + kBlur of its true place along
+ * each axis, and what is cut off lies beyond kInner along some axis: Documentation/Theory.md.
+ */
+struct GridSegments
+{
+  static constexpr std::size_t kSize = 128;
+  static constexpr double kBlur = 0x1p-5;
+  static constexpr double kInner = PointGrid::kReach - 1;
+  /// Farther away than this rounding is more than kBlur.
+  static constexpr double kFarthest = 0x1p44;
+
+  enum State : std::uint8_t
+  {
+    Whole,
+    Cut,
+    TooFar ///< where it lies is not known
+  };
+
+  std::int16_t ends[6][kSize]; ///< as in BouncePage
+  std::uint8_t states[kSize];  ///< State
+};
 
 }
 

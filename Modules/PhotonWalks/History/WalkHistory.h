@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <new>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace irradiance
@@ -71,10 +73,23 @@ public:
   /// `numbers`: of the triangles. `arena`: with pages for so many `bands`. `grid`, `power`: see
   /// BounceBlock.
   WalkHistory(const WalkPlan& plan, const PointGrid& grid, const TriangleNumbers& numbers,
-    int bands, const Power& power, std::shared_ptr<BlockArena> arena,
-    const DealtBlocks& dealt = {});
+    int bands, const Power& power, std::shared_ptr<BlockArena> arena, const DealtBlocks& dealt = {})
+    : plan_(plan)
+    , grid_(grid)
+    , numbers_(numbers)
+    , bands_(bands)
+    , power_(power)
+    , dealt_(dealt)
+    , arena_(std::move(arena))
+  {
+  }
   WalkHistory(WalkHistory&&) noexcept = default;
-  WalkHistory& operator=(WalkHistory&& other) noexcept;
+  /// What is stored goes first: its blocks are pages of the arena of before.
+  WalkHistory& operator=(WalkHistory&& other) noexcept
+  {
+    this->~WalkHistory();
+    return *new (this) WalkHistory(std::move(other));
+  }
   ~WalkHistory() = default;
 
   const WalkPlan& plan() const { return plan_; }
@@ -109,14 +124,50 @@ public:
     }
   }
   /// Adds the next block, whose walks have no segments yet.
-  void append();
-  void removeLast();
+  void append()
+  {
+    if (blocks_.empty())
+    {
+      makeKinds();
+    }
+    const std::size_t number = dealt_[blocks_.size()];
+    blocks_.emplace_back(
+      *arena_, plan_.firstWalkOf(number), plan_.walksIn(number), bands_, grid_, power_);
+    hidden_.emplace_back();
+  }
+  void removeLast()
+  {
+    blocks_.pop_back();
+    hidden_.pop_back();
+  }
   /// Changes to other numbers of the same triangles. No stored walk has hit those that are gone.
   /// `kept`: by triangle the number that it has now; empty: its object has the same triangles.
-  void renumber(const TriangleNumbers& numbers, const std::vector<std::uint32_t>& kept = {});
+  void renumber(const TriangleNumbers& numbers, const std::vector<std::uint32_t>& kept = {})
+  {
+    if (numbers == numbers_ && kept.empty())
+    {
+      return;
+    }
+    // The numbers of static triangles, which come first, stay unless others are told; so hidden hits
+    // do.
+    for (BounceBlock& block : blocks_)
+    {
+      block.renumber([&](std::uint32_t triangle) {
+        return kept.empty() ? numbers.numberOf(numbers_.idOf(triangle)) : kept[triangle];
+      });
+    }
+    numbers_ = numbers;
+    makeKinds();
+  }
 
   /// Sets the kinds of these hits, see BounceColumns; kContact is for the caller to set.
-  void setKinds(const std::uint32_t* triangles, std::size_t count, std::uint8_t* kinds) const;
+  void setKinds(const std::uint32_t* triangles, std::size_t count, std::uint8_t* kinds) const
+  {
+    const std::uint32_t known = numbers_.size();
+    std::transform(triangles, triangles + count, kinds, [this, known](std::uint32_t triangle) {
+      return triangle < known ? kinds_[triangle] : std::uint8_t{ 0 };
+    });
+  }
   /// Removes this segment and all after it of its walk. Calls visit(slot) for each before.
   template <class Visit>
   void removeFrom(const SegmentPlace& first, const Visit& visit)
@@ -141,10 +192,25 @@ public:
   {
     hidden_[place.block][place.slot] = hit;
   }
-  void forgetHiddenHits();
+  void forgetHiddenHits()
+  {
+    for (auto& hidden : hidden_)
+    {
+      hidden.clear();
+    }
+  }
 
   /// Memory held.
-  std::size_t bytes() const;
+  std::size_t bytes() const
+  {
+    std::size_t bytes = kinds_.capacity();
+    for (std::size_t i = 0; i < blocks_.size(); ++i)
+    {
+      bytes += blocks_[i].bytes() + hidden_[i].bucket_count() * sizeof(void*) +
+        hidden_[i].size() * (sizeof(std::pair<const std::uint32_t, HiddenHit>) + 2 * sizeof(void*));
+    }
+    return bytes;
+  }
 
   Power power(const SegmentRef& segment) const
   {
@@ -194,7 +260,14 @@ private:
     hit.weights = block.weights(slot);
     return hit;
   }
-  void makeKinds();
+  void makeKinds()
+  {
+    kinds_.clear();
+    for (std::uint32_t object = 0; object < numbers_.objects(); ++object)
+    {
+      kinds_.resize(numbers_.first(object + 1), BounceTag::kindOf(object));
+    }
+  }
 
   WalkPlan plan_;
   PointGrid grid_;

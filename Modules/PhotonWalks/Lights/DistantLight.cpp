@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Lights/DistantLight.h"
 
-#include "Sampling/DirectionSampling.h"
 #include "Sampling/ElementaryFunctions.h"
 #include "Sampling/SobolPoint.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace irradiance
 {
@@ -156,22 +152,6 @@ std::vector<DistantLight::Part> DistantLight::partsOfSky() const
   return parts;
 }
 
-bool DistantLight::mayComeTo(const Vector3& normal) const
-{
-  const double level = std::hypot(normal[0], normal[1]);
-  return std::any_of(parts_->begin(), parts_->end(), [&](const Part& part) {
-    const double height = normal[2] > 0 ? part.upper : part.lower;
-    return normal.dot(part.middle) > -part.radius && // more than its sine
-      (!isSky() || normal[2] * height + level > 0);
-  });
-}
-
-Vector3 DistantLight::inDisc(const std::array<double, 2>& u) const
-{
-  const double height = 1 - u[0] * (1 - cosine_);
-  return directionAround(axis_, height, std::sqrt(std::max(0.0, 1 - height * height)), u[1]);
-}
-
 /// By rejection, which is rare: a disc is small.
 Vector3 DistantLight::sampleDisc(std::array<double, 2> u) const
 {
@@ -213,13 +193,6 @@ double DistantLight::radiancePerWatt(const Vector3& direction) const
   return table_->value(swapped(direction)) / (table_->integral() * crossSection(direction));
 }
 
-double DistantLight::crossSection(const Vector3& direction) const
-{
-  const Vector3 size = lit_.extent();
-  return std::abs(direction[0]) * size[1] * size[2] + std::abs(direction[1]) * size[2] * size[0] +
-    std::abs(direction[2]) * size[0] * size[1];
-}
-
 /// From one of the three faces of the box that are seen.
 Ray DistantLight::leaving(
   const std::array<double, 2>& place, const std::array<double, 2>& direction) const
@@ -241,20 +214,6 @@ Ray DistantLight::leaving(
     }
     rest -= seen;
   }
-}
-
-Vector3 DistantLight::entry(const Vector3& place, const Vector3& direction) const
-{
-  const bool isInside =
-    (place.array() >= lit_.lower.array()).all() && (place.array() <= lit_.upper.array()).all();
-  double length = isInside ? kInfinity : (place - lit_.center()).norm() + lit_.extent().norm();
-  for (int axis = 0; axis < 3 && isInside; ++axis)
-  {
-    const double end = direction[axis] > 0 ? lit_.upper[axis] : lit_.lower[axis];
-    length =
-      direction[axis] != 0 ? std::min(length, (end - place[axis]) / direction[axis]) : length;
-  }
-  return place + length * direction;
 }
 
 }

@@ -3,10 +3,13 @@
 #define irradiance_DistantLight_h
 
 #include "Geometry/Ray.h"
+#include "Sampling/DirectionSampling.h"
 #include "Sampling/DirectionTable.h"
 #include "Surfaces/Sky.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -40,10 +43,27 @@ public:
   double radiancePerWatt(const Vector3& direction) const;
   Ray leaving(const std::array<double, 2>& place, const std::array<double, 2>& direction) const;
   /// m2, of the box as it is seen along a direction.
-  double crossSection(const Vector3& direction) const;
+  double crossSection(const Vector3& direction) const
+  {
+    const Vector3 size = lit_.extent();
+    return std::abs(direction[0]) * size[1] * size[2] + std::abs(direction[1]) * size[2] * size[0] +
+      std::abs(direction[2]) * size[0] * size[1];
+  }
   /// Where light that comes from a direction and reaches a place enters the box; for a place
   /// outside, before it could meet anything.
-  Vector3 entry(const Vector3& place, const Vector3& direction) const;
+  Vector3 entry(const Vector3& place, const Vector3& direction) const
+  {
+    const bool isInside =
+      (place.array() >= lit_.lower.array()).all() && (place.array() <= lit_.upper.array()).all();
+    double length = isInside ? kInfinity : (place - lit_.center()).norm() + lit_.extent().norm();
+    for (int axis = 0; axis < 3 && isInside; ++axis)
+    {
+      const double end = direction[axis] > 0 ? lit_.upper[axis] : lit_.lower[axis];
+      length =
+        direction[axis] != 0 ? std::min(length, (end - place[axis]) / direction[axis]) : length;
+    }
+    return place + length * direction;
+  }
 
   /// A part of the sky, alike from pole to pole and around in the sine of the angle, or the sun.
   struct Part
@@ -57,7 +77,15 @@ public:
   };
   const std::vector<Part>& parts() const { return *parts_; }
   /// Whether any of it may come to the front of a plane, roughly. `normal`: a unit vector.
-  bool mayComeTo(const Vector3& normal) const;
+  bool mayComeTo(const Vector3& normal) const
+  {
+    const double level = std::hypot(normal[0], normal[1]);
+    return std::any_of(parts_->begin(), parts_->end(), [&](const Part& part) {
+      const double height = normal[2] > 0 ? part.upper : part.lower;
+      return normal.dot(part.middle) > -part.radius && // more than its sine
+        (!isSky() || normal[2] * height + level > 0);
+    });
+  }
   /// A place of a part that the unit square chooses, with what its light brings.
   struct Sample
   {
@@ -78,7 +106,11 @@ public:
 
 private:
   DistantLight() = default;
-  Vector3 inDisc(const std::array<double, 2>& u) const;
+  Vector3 inDisc(const std::array<double, 2>& u) const
+  {
+    const double height = 1 - u[0] * (1 - cosine_);
+    return directionAround(axis_, height, std::sqrt(std::max(0.0, 1 - height * height)), u[1]);
+  }
   /// With the density of what enters the box.
   Vector3 sampleDisc(std::array<double, 2> u) const;
   std::vector<Part> partsOfSky() const;

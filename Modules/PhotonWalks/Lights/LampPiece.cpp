@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Lights/LampPiece.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace irradiance
 {
 
@@ -75,27 +72,6 @@ void addParts(const Light& light, const DistantLight& distant, std::uint32_t num
   }
 }
 
-}
-
-/// Conty and Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting", 2018.
-double LampCone::solidAngle() const
-{
-  const double cone = std::acos(cosine), most = std::min(kPi, cone + kPi / 2);
-  return 2 * kPi * (1 - cosine) +
-    kPi / 2 * (2 * most * sine - std::cos(cone - 2 * most) - 2 * cone * sine + cosine);
-}
-
-double LampCone::leaving(double ofDirection, double size) const
-{
-  const double ofSize = std::sqrt(1 - size * size);
-  const double sineOfDirection = std::sqrt(std::max(0.0, 1 - ofDirection * ofDirection));
-  const bool isWithin = ofDirection >= ofSize;
-  const double nearest = isWithin ? 1 : ofDirection * ofSize + sineOfDirection * size;
-  const double sineOfNearest =
-    isWithin ? 0 : std::abs(sineOfDirection * ofSize - ofDirection * size);
-  const double lower = nearest <= -cosine ? -1 : nearest * cosine - sineOfNearest * sine;
-  const double upper = nearest >= cosine ? 1 : nearest * cosine + sineOfNearest * sine;
-  return positivePart(lower, upper);
 }
 
 void addPieces(

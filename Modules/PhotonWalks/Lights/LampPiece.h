@@ -4,6 +4,8 @@
 
 #include "Lights/Light.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -24,11 +26,28 @@ struct LampCone
 
   bool isFlat() const { return cosine >= 1; }
   /// Into which they shine, sr.
-  double solidAngle() const;
+  /// Conty and Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting", 2018.
+  double solidAngle() const
+  {
+    const double cone = std::acos(cosine), most = std::min(kPi, cone + kPi / 2);
+    return 2 * kPi * (1 - cosine) +
+      kPi / 2 * (2 * most * sine - std::cos(cone - 2 * most) - 2 * cone * sine + cosine);
+  }
   /// The intensity for each W, times kProjected, in directions with a cosine to the axis: a mean,
   /// as normals have all cosines of the cone alike. `size`: the sine of the angle by which
   /// directions may differ: the nearest counts.
-  double leaving(double ofDirection, double size) const;
+  double leaving(double ofDirection, double size) const
+  {
+    const double ofSize = std::sqrt(1 - size * size);
+    const double sineOfDirection = std::sqrt(std::max(0.0, 1 - ofDirection * ofDirection));
+    const bool isWithin = ofDirection >= ofSize;
+    const double nearest = isWithin ? 1 : ofDirection * ofSize + sineOfDirection * size;
+    const double sineOfNearest =
+      isWithin ? 0 : std::abs(sineOfDirection * ofSize - ofDirection * size);
+    const double lower = nearest <= -cosine ? -1 : nearest * cosine - sineOfNearest * sine;
+    const double upper = nearest >= cosine ? 1 : nearest * cosine + sineOfNearest * sine;
+    return positivePart(lower, upper);
+  }
   /// The largest intensity, W/sr, is the flux over this: the integral of the cosine.
   static constexpr double kProjected = kPi;
 };

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Lights/SeenLight.h"
 
-#include "Sampling/WeightChoice.h"
-
 #include <algorithm>
-#include <cmath>
 
 namespace irradiance
 {
@@ -19,16 +16,6 @@ Vector3 weightsInPlane(const Triangle& triangle, const Vector3& place)
   };
   const double b = share(triangle.c, triangle.a), c = share(triangle.a, triangle.b);
   return { 1 - b - c, b, c };
-}
-
-LitPoint LitPoint::onTriangle(
-  const Triangle& worldTriangle, const TriangleId& id, bool isFront, const Vector3& place)
-{
-  // At an edge, rounding may leave the place beside the triangle.
-  const Vector3 weights = weightsInPlane(worldTriangle, place).cwiseMax(0);
-  SurfacePoint point = surfacePoint(worldTriangle, weights / weights.sum());
-  point.turn(isFront);
-  return { point.clearPosition(), point.normal, id };
 }
 
 void SeenLight::addParts(const Light& light, const LampPiece& piece, const LitPoint& point, By by,
@@ -150,17 +137,6 @@ SeenLight::Sample SeenLight::sample(const std::array<double, 2>& u, const LitPoi
     sample.over = square;
   }
   return sample;
-}
-
-std::pair<Vector3, double> SeenLight::weightsAt(std::array<double, 2> u) const
-{
-  const double mean = 0.25 * (density_[0] + 2 * density_[1] + density_[2]);
-  u[1] = sampleLinear(u[1], density_[1], 0.5 * (density_[0] + density_[2]));
-  const double first = (1 - u[1]) * density_[1] + u[1] * density_[0],
-               last = (1 - u[1]) * density_[1] + u[1] * density_[2];
-  u[0] = sampleLinear(u[0], first, last);
-  const double density = (1 - u[0]) * first + u[0] * last;
-  return { weights_ * seen_->sample(u), density > 0 ? seen_->solidAngle() * mean / density : 0 };
 }
 
 }

@@ -4,6 +4,7 @@
 
 #include "Lights/LampPiece.h"
 #include "Sampling/SphericalTriangle.h"
+#include "Sampling/WeightChoice.h"
 
 #include <array>
 #include <optional>
@@ -12,6 +13,10 @@
 
 namespace irradiance
 {
+
+/// The barycentric weights of a place in the plane of a triangle; some are negative beside the
+/// triangle.
+Vector3 weightsInPlane(const Triangle& triangle, const Vector3& place);
 
 /// A point that receives light, from one side or from all directions.
 struct LitPoint
@@ -30,12 +35,15 @@ struct LitPoint
 
   /// On a side of a triangle, at the point nearest to a place in its plane, roughly.
   static LitPoint onTriangle(
-    const Triangle& worldTriangle, const TriangleId& id, bool isFront, const Vector3& place);
+    const Triangle& worldTriangle, const TriangleId& id, bool isFront, const Vector3& place)
+  {
+    // At an edge, rounding may leave the place beside the triangle.
+    const Vector3 weights = weightsInPlane(worldTriangle, place).cwiseMax(0);
+    SurfacePoint point = surfacePoint(worldTriangle, weights / weights.sum());
+    point.turn(isFront);
+    return { point.clearPosition(), point.normal, id };
+  }
 };
-
-/// The barycentric weights of a place in the plane of a triangle; some are negative beside the
-/// triangle.
-Vector3 weightsInPlane(const Triangle& triangle, const Vector3& place);
 
 /**
  * A piece of a light as a point sees it, or a part of that: what comes towards the point if nothing
@@ -95,7 +103,16 @@ private:
   SeenLight between(std::array<Corner, 3> corners, const LitPoint& point, By by) const;
   /// The weights of the piece's corners that a place of the unit square chooses, and the solid
   /// angle for which it stands.
-  std::pair<Vector3, double> weightsAt(std::array<double, 2> u) const;
+  std::pair<Vector3, double> weightsAt(std::array<double, 2> u) const
+  {
+    const double mean = 0.25 * (density_[0] + 2 * density_[1] + density_[2]);
+    u[1] = sampleLinear(u[1], density_[1], 0.5 * (density_[0] + density_[2]));
+    const double first = (1 - u[1]) * density_[1] + u[1] * density_[0],
+                 last = (1 - u[1]) * density_[1] + u[1] * density_[2];
+    u[0] = sampleLinear(u[0], first, last);
+    const double density = (1 - u[0]) * first + u[0] * last;
+    return { weights_ * seen_->sample(u), density > 0 ? seen_->solidAngle() * mean / density : 0 };
+  }
 
   const Light* light_ = nullptr;
   const LampPiece* piece_ = nullptr;

@@ -6,7 +6,9 @@
 #include "Shooting/WalkStages.h"
 #include "Surfaces/Frame.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <vector>
 
 namespace irradiance
@@ -20,10 +22,28 @@ class ChangedReflections
 public:
   /// `before`: see Frame::repainted. The others must outlive it.
   ChangedReflections(const SceneObjects& objects, const TriangleNumbers& numbers,
-    const SobolSequence& samples, const Repainted& before);
+    const SobolSequence& samples, const Repainted& before)
+    : objects_(objects)
+    , numbers_(numbers)
+    , samples_(samples)
+    , before_(before)
+  {
+    for (std::uint32_t object = 0; object < before.size(); ++object)
+    {
+      const Material& now = *objects[object].material;
+      std::vector<std::uint8_t> changes(now.numberOfCells);
+      for (std::size_t cell = 0; before[object] && cell < changes.size(); ++cell)
+      {
+        changes[cell] = now.actsAs(cell, *before[object], cell) ? 0 : 1;
+      }
+      isRepainted_.resize(numbers.first(object));
+      std::transform(now.cellOfTriangle.begin(), now.cellOfTriangle.end(),
+        std::back_inserter(isRepainted_), [&](std::uint32_t cell) { return changes[cell]; });
+    }
+  }
 
   bool isEmpty() const { return isRepainted_.empty(); }
-  /// Whether the walk leaves the hit of a segment otherwise. `hit`: the triangle of the segment.
+  /// Whether the walk leaves the hit of a segment otherwise.
   bool change(const BounceBlock& block, std::uint32_t slot) const
   {
     const std::uint32_t hit = block.triangle(slot);
@@ -31,7 +51,20 @@ public:
   }
 
 private:
-  bool changeAt(std::uint32_t hit, const BounceBlock& block, std::uint32_t slot) const;
+  bool changeAt(std::uint32_t hit, const BounceBlock& block, std::uint32_t slot) const
+  {
+    const TriangleId id = numbers_.idOf(hit);
+    const Material &now = *objects_[id.object].material, &before = *before_[id.object];
+    const std::uint32_t cell = now.cellOfTriangle[id.triangle];
+    const Power incoming = block.power(slot);
+    const double sample =
+      samples_.sample(block.walkOf(slot), block.bounceOf(slot) + 1, SampleUse::Survival)[0];
+    const Fate is = fateOf(incoming, now, cell, sample),
+               was = fateOf(incoming, before, cell, sample);
+    return !(is == was) ||
+      (is.survives && is.way == Leaving::Specular &&
+        now.phongExponent[cell] != before.phongExponent[cell]);
+  }
 
   const SceneObjects& objects_;
   const TriangleNumbers& numbers_;

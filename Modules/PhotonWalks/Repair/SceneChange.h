@@ -4,32 +4,14 @@
 
 #include "Surfaces/Frame.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace irradiance
 {
 
-/**
- * What the stored walks need to follow to a frame. All of the following is an update; the table in
- * Documentation/Theory.md, section 4, says what each costs. A fresh start is left for
- *
- * - other lights, by value (the numbers of their cells and triangles too, so a part that comes or
- *   goes before a lamp): where walks start, and how many of them at each, follows from all lights;
- * - another seed, another number of replicates or bands: no sample or no power is as before;
- * - walks that start elsewhere: direct light is gathered instead of shot, or with more samples;
- * - static cells that reflect otherwise where direct light is gathered: with how much power walks
- *   start at cells follows from the mean of these;
- * - static parts, or dynamic objects in all, that come or go where it is gathered: each of some
- *   groups of objects has its own walks;
- * - another number of walks where they start at cells, where several sources number theirs one
- *   after the other, with a target (rounds double the first one), or if their quanta change in
- *   several bands (powers are rounded at each hit);
- * - any of these, other than more walks, if the walks of before are not stored;
- * - parts that come or go, cells that are replaced, another number of walks, while walks are stale:
- *   the marks are of the old ones;
- * - a scene of which no static part is left;
- * - other ranks, or walks that are to be on each of them.
- */
+/// What the stored walks need to follow to a frame. Documentation/Theory.md, section 4, lists what
+/// each change costs, and which ones take a fresh start.
 struct FrameChange
 {
   enum Kind
@@ -47,30 +29,100 @@ struct FrameChange
   bool resizes = false;      ///< another number of walks; those that were shot and stay are a part
 };
 
+/// Whether an object has the same cells and as many triangles.
+inline bool hasSameCells(const SceneObject& now, const SceneObject& before)
+{
+  return now.lampCells == before.lampCells &&
+    now.body->mesh().size() == before.body->mesh().size() &&
+    now.material->hasCellsOf(*before.material);
+}
+
+/// Whether both frames have the same number of objects, and `isSame` holds for each pair.
+template <class Function>
+bool isSameForAll(const SceneObjects& now, const SceneObjects& before, const Function& isSame)
+{
+  bool same = now.size() == before.size();
+  for (std::uint32_t i = 0; same && i < now.size(); ++i)
+  {
+    same = isSame(now[i], before[i]);
+  }
+  return same;
+}
+
 /// Whether two frames have the same lights. Cheap: it compares addresses and poses, so false does
 /// not prove that they changed.
-bool areLightsUnchanged(const SceneObjects& now, const SceneObjects& before);
+inline bool areLightsUnchanged(const SceneObjects& now, const SceneObjects& before)
+{
+  // Which lights are near static cells is known of them as well, and how many walks start where
+  // they are gathered.
+  return now.staticObject.body == before.staticObject.body &&
+    now.staticObject.material == before.staticObject.material && now.sky == before.sky &&
+    isSameForAll(now, before, [](const SceneObject& a, const SceneObject& b) {
+      return !(a.emits() || b.emits()) || (isSameThing(a, b) && !hasMoved(a, b));
+    });
+}
 
 /// The frame before with as many objects as there are now. Those that have come since were not there,
 /// those that are gone are left out.
-SceneObjects withAsMany(SceneObjects before, const SceneObjects& now);
+inline SceneObjects withAsMany(SceneObjects before, const SceneObjects& now)
+{
+  before.dynamicObjects.resize(std::min(now.dynamicObjects.size(), before.dynamicObjects.size()));
+  for (std::uint32_t i = before.size(); i < now.size(); ++i)
+  {
+    before.dynamicObjects.push_back(now[i]);
+    before.dynamicObjects.back().isPresent = false;
+  }
+  return before;
+}
 
 /// Whether two frames differ at most in the static body, in which dynamic objects are there, in
 /// their poses and in their points, in how cells reflect and emit, and in the cells of objects that
 /// were not there before.
-bool hasAllCells(const SceneObjects& now, const SceneObjects& before);
+inline bool hasAllCells(const SceneObjects& now, const SceneObjects& before)
+{
+  return isSameForAll(now, before, [&](const SceneObject& a, const SceneObject& b) {
+    // No stored walk has hit an absent object.
+    const bool mayDiffer = !b.isPresent || (&b == &before.staticObject && a.body != b.body);
+    return mayDiffer || hasSameCells(a, b);
+  });
+}
 
 /// Whether an object has other cells or another number of triangles, or there are more or fewer
 /// objects.
-bool hasReplaced(const SceneObjects& now, const SceneObjects& before);
+inline bool hasReplaced(const SceneObjects& now, const SceneObjects& before)
+{
+  return !isSameForAll(now, before, hasSameCells);
+}
 
 /// The objects with the same cells in another material, but for a static object of another body.
 /// Both frames have as many objects.
-Repainted findRepainted(const SceneObjects& now, const SceneObjects& before);
+inline Repainted findRepainted(const SceneObjects& now, const SceneObjects& before)
+{
+  Repainted repainted(now.size());
+  bool isAny = false;
+  for (std::uint32_t i = 0; i < now.size(); ++i)
+  {
+    if (now[i].material != before[i].material && hasSameCells(now[i], before[i]) &&
+      (i > 0 || now[0].body == before[0].body))
+    {
+      repainted[i] = before[i].material;
+      isAny = true;
+    }
+  }
+  return isAny ? repainted : Repainted();
+}
 
 /// Which dynamic objects have come or gone, or have another pose or other points. Both frames have
 /// as many of them.
-std::vector<bool> findMoved(const SceneObjects& now, const SceneObjects& before);
+inline std::vector<bool> findMoved(const SceneObjects& now, const SceneObjects& before)
+{
+  std::vector<bool> moved;
+  for (std::size_t i = 0; i < now.dynamicObjects.size(); ++i)
+  {
+    moved.push_back(hasMoved(now.dynamicObjects[i], before.dynamicObjects[i]));
+  }
+  return moved;
+}
 
 }
 

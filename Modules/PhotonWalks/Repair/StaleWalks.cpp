@@ -4,7 +4,6 @@
 #include "Sampling/ElementaryFunctions.h"
 
 #include <functional>
-#include <limits>
 #include <map>
 
 namespace irradiance
@@ -12,8 +11,6 @@ namespace irradiance
 
 namespace
 {
-
-constexpr std::uint32_t kAll = std::numeric_limits<std::uint32_t>::max(); // segments of a walk
 
 /// The class of a power, four classes to an octave: sign, exponent and two bits, 11 in all.
 std::uint32_t powerClassOf(const Power& power)
@@ -68,13 +65,6 @@ void StaleWalks::repaint(const SceneObjects& objects, const WalkHistory& history
       block.power.add(carried, mark.gain, 1);
     }
   }
-}
-
-bool StaleWalks::isEmpty() const
-{
-  return numberOfUnborn_ == 0 &&
-    std::all_of(
-      blocks_.begin(), blocks_.end(), [](const Block& block) { return block.marks.empty(); });
 }
 
 std::vector<std::pair<std::uint16_t, std::size_t>> StaleWalks::classes(std::size_t enough) const
@@ -132,21 +122,6 @@ void StaleWalks::add(
   sums_.add(deposits);
 }
 
-void StaleWalks::repair(const WalkHistory& history, StaleMark& mark, std::vector<Deposit>& deposits)
-{
-  tally(history, mark, kAll, -1, deposits);
-  blocks_[history.indexOf(mark.walk)].power.add(history.power(mark.first()), mark.gain, -1);
-  mark.powerClass = 0;
-}
-
-void StaleWalks::forgetRepaired(std::size_t block)
-{
-  StaleMarks& marks = blocks_[block].marks;
-  marks.erase(std::remove_if(marks.begin(), marks.end(),
-                [](const StaleMark& mark) { return mark.powerClass == 0; }),
-    marks.end());
-}
-
 void StaleWalks::forget(const WalkHistory& history, std::uint32_t walk)
 {
   const std::size_t block = history.indexOf(walk);
@@ -160,18 +135,6 @@ void StaleWalks::forget(const WalkHistory& history, std::uint32_t walk)
     }
   }
   forgetRepaired(block);
-}
-
-std::int64_t StaleWalks::gainOf(
-  std::uint32_t walk, std::uint32_t bounce, const Power& incoming) const
-{
-  // No band ever carries more than the strongest does now.
-  std::int64_t received = isBoundKnown() ? incoming.largest() : 0;
-  while (isBoundKnown() && samples_.sample(walk, ++bounce, SampleUse::Survival)[0] < reflectance_)
-  {
-    received += incoming.largest();
-  }
-  return received;
 }
 
 void StaleWalks::tally(const WalkHistory& history, const StaleMark& mark, std::uint32_t end,
@@ -190,27 +153,6 @@ void StaleWalks::tally(const WalkHistory& history, const StaleMark& mark, std::u
     }
     slot = block.next(slot);
   }
-}
-
-StalePower StaleWalks::power() const
-{
-  StalePower sum = unborn_;
-  for (const Block& block : blocks_)
-  {
-    sum.carried += block.power.carried;
-    sum.gain += block.power.gain;
-  }
-  return sum;
-}
-
-std::size_t StaleWalks::bytes() const
-{
-  std::size_t sum = blocks_.capacity() * sizeof(Block);
-  for (const Block& block : blocks_)
-  {
-    sum += block.marks.capacity() * sizeof(StaleMark);
-  }
-  return sum;
 }
 
 }

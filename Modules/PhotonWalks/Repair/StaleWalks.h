@@ -8,6 +8,7 @@
 #include "Tally/CellSums.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace irradiance
@@ -66,7 +67,12 @@ public:
   /// Changes to materials of the same cells. `history`: of the walks.
   void repaint(const SceneObjects& objects, const WalkHistory& history);
 
-  bool isEmpty() const;
+  bool isEmpty() const
+  {
+    return numberOfUnborn_ == 0 &&
+      std::all_of(
+        blocks_.begin(), blocks_.end(), [](const Block& block) { return block.marks.empty(); });
+  }
   /// Whether static parts came since walks are stale, so that nothing is known of the new hits.
   bool mayMeetOthers() const { return mayMeetOthers_; }
   void setMayMeetOthers(bool may) { mayMeetOthers_ = may; }
@@ -83,8 +89,19 @@ public:
   /// them. It must have skipped the tails that were marked before.
   void add(std::size_t block, const WalkHistory& history, const std::vector<SegmentRef>& found);
   /// Takes out a walk whose tail is about to be replaced; its mark stays until forgetRepaired().
-  void repair(const WalkHistory& history, StaleMark& mark, std::vector<Deposit>& deposits);
-  void forgetRepaired(std::size_t block);
+  void repair(const WalkHistory& history, StaleMark& mark, std::vector<Deposit>& deposits)
+  {
+    tally(history, mark, kAll, -1, deposits);
+    blocks_[history.indexOf(mark.walk)].power.add(history.power(mark.first()), mark.gain, -1);
+    mark.powerClass = 0;
+  }
+  void forgetRepaired(std::size_t block)
+  {
+    StaleMarks& marks = blocks_[block].marks;
+    marks.erase(std::remove_if(marks.begin(), marks.end(),
+                  [](const StaleMark& mark) { return mark.powerClass == 0; }),
+      marks.end());
+  }
 
   /// Takes out a walk that is about to be removed, if it is marked.
   void forget(const WalkHistory& history, std::uint32_t walk);
@@ -109,14 +126,33 @@ public:
   /// Adds the deposits that repair() collected.
   void take(const std::vector<Deposit>& deposits) { sums_.add(deposits); }
   /// Of all, and of walks that are not stored yet, from their first segments on.
-  StalePower power() const;
+  StalePower power() const
+  {
+    StalePower sum = unborn_;
+    for (const Block& block : blocks_)
+    {
+      sum.carried += block.power.carried;
+      sum.gain += block.power.gain;
+    }
+    return sum;
+  }
   /// False if a material reflects more than kMostReflecting.
   bool isBoundKnown() const { return reflectance_ <= kMostReflecting; }
-  std::size_t bytes() const;
+  std::size_t bytes() const
+  {
+    std::size_t sum = blocks_.capacity() * sizeof(Block);
+    for (const Block& block : blocks_)
+    {
+      sum += block.marks.capacity() * sizeof(StaleMark);
+    }
+    return sum;
+  }
 
 private:
   /// Beyond this the bound would take long, and be a hundred times the power or more.
   static constexpr double kMostReflecting = 0.99;
+
+  static constexpr std::uint32_t kAll = 0xffffffffu; ///< segments of a walk
 
   struct Block
   {
@@ -133,7 +169,16 @@ private:
    * it survives a hit is decided by its own samples, so the bound is certain, not a mean; 0 if it
    * is not known. `incoming`: what segment `bounce` carries. See Documentation/Theory.md, 4.1.
    */
-  std::int64_t gainOf(std::uint32_t walk, std::uint32_t bounce, const Power& incoming) const;
+  std::int64_t gainOf(std::uint32_t walk, std::uint32_t bounce, const Power& incoming) const
+  {
+    // No band ever carries more than the strongest does now.
+    std::int64_t received = isBoundKnown() ? incoming.largest() : 0;
+    while (isBoundKnown() && samples_.sample(walk, ++bounce, SampleUse::Survival)[0] < reflectance_)
+    {
+      received += incoming.largest();
+    }
+    return received;
+  }
 
   std::vector<Block> blocks_;
   CellSums sums_;

@@ -38,18 +38,6 @@ struct WalkRepair::Unit
   double seconds = 0;    ///< spent on it
 };
 
-std::unique_ptr<RepairWork> WalkRepair::take()
-{
-  std::unique_ptr<RepairWork> work = state_.pool.take();
-  work->batch.begin(state_.tracer, &state_.history);
-  work->verifier.hidden.clear();
-  work->firsts.clear();
-  work->changes.gone.clear();
-  work->changes.arrived.clear();
-  work->areBorn = work->hasBegun = false;
-  return work;
-}
-
 void WalkRepair::verifyAndRepair(Execution& execution)
 {
   std::vector<std::unique_ptr<RepairWork>> open(state_.history.size()); // by unit
@@ -63,7 +51,6 @@ void WalkRepair::verifyAndRepair(Execution& execution)
         const double seconds = steadySeconds() - start;
         const std::lock_guard<std::mutex> lock(mutex_);
         figures_.verifySeconds += seconds;
-        figures_.invalidWalks += static_cast<std::int64_t>(open[unit]->batch.front().size);
       }
       const double start = steadySeconds();
       const bool isDone = shoot(*open[unit], hasToStop);
@@ -82,7 +69,7 @@ void WalkRepair::verifyAndMark(StaleWalks& stale, Execution& execution)
   std::vector<const StaleMarks*> known;
   for (std::size_t block = 0; block < state_.history.size(); ++block)
   {
-    known.push_back(&std::as_const(stale).marks(block));
+    known.push_back(&stale.marks(block));
   }
   passOver(
     state_.history, execution, [&](std::size_t first, std::size_t end, std::size_t, const auto&) {
@@ -98,10 +85,6 @@ void WalkRepair::verifyAndMark(StaleWalks& stale, Execution& execution)
         }
         std::sort(work->firsts.begin(), work->firsts.end());
         stale.add(rows.block[row], state_.history, work->firsts);
-      }
-      {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        figures_.invalidWalks += static_cast<std::int64_t>(rows.size);
       }
       state_.pool.giveBack(std::move(work));
       return true;
@@ -306,34 +289,28 @@ void WalkRepair::removeOld(RepairWork& work, FrontTally& tally)
         block.prefetch(after);
       }
     }
-    const Power carried = state_.history.power(SegmentPlace{ rows.block[row], rows.slot[row] });
+    const SegmentPlace place{ rows.block[row], rows.slot[row] };
+    const SegmentRef first{ rows.walk[row], rows.bounce[row] };
+    const Power carried = state_.history.power(place);
     if (bands > 1)
     {
       rows.setPower(row, bands, carried);
     }
     starting += carried;
-    remove(work, row);
+    if (state_.changes || state_.tails)
+    {
+      work.firsts.push_back(first);
+    }
+    if (state_.changes)
+    {
+      state_.history.forEachPhotonFrom(
+        place, first, [&](const Photon& photon) { work.changes.gone.push_back(photon); });
+    }
+    const BounceBlock& block = state_.history.block(place.block);
+    state_.history.removeFrom(
+      place, [&](std::uint32_t slot) { addStored(block, slot, bands, work.old); });
   }
   tally.remove(work.old, starting);
-}
-
-void WalkRepair::remove(RepairWork& work, std::size_t row)
-{
-  const WalkFront& rows = work.batch.front();
-  const SegmentPlace place{ rows.block[row], rows.slot[row] };
-  const SegmentRef first{ rows.walk[row], rows.bounce[row] };
-  if (state_.changes || state_.tails)
-  {
-    work.firsts.push_back(first);
-  }
-  if (state_.changes)
-  {
-    state_.history.forEachPhotonFrom(
-      place, first, [&](const Photon& photon) { work.changes.gone.push_back(photon); });
-  }
-  const BounceBlock& block = state_.history.block(place.block);
-  state_.history.removeFrom(
-    place, [&](std::uint32_t slot) { addStored(block, slot, state_.history.bands(), work.old); });
 }
 
 bool WalkRepair::shoot(RepairWork& work, const std::function<bool()>& hasToStop)
@@ -357,36 +334,6 @@ bool WalkRepair::shoot(RepairWork& work, const std::function<bool()>& hasToStop)
   }
   addLocked(balance, state_.balance, mutex_);
   return isDone;
-}
-
-void WalkRepair::finish(std::unique_ptr<RepairWork>& work)
-{
-  const std::vector<SegmentPlace>& places = work->batch.places();
-  for (std::size_t i = 0; i < work->verifier.hidden.size(); ++i)
-  {
-    if (work->verifier.hidden[i].isKnown())
-    {
-      state_.history.setHidden(places[i], work->verifier.hidden[i]);
-    }
-  }
-  for (std::size_t i = 0; state_.changes && i < places.size(); ++i)
-  {
-    state_.history.forEachPhotonFrom(places[i], work->firsts[i],
-      [&](const Photon& photon) { work->changes.arrived.push_back(photon); });
-  }
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    figures_.repairedSegments += work->batch.numberOfSegments();
-    if (state_.changes)
-    {
-      state_.changes->add(work->changes);
-    }
-    if (state_.tails)
-    {
-      state_.tails->insert(state_.tails->end(), work->firsts.begin(), work->firsts.end());
-    }
-  }
-  state_.pool.giveBack(std::move(work));
 }
 
 }

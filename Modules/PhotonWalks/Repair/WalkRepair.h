@@ -56,7 +56,6 @@ public:
   /// What was done.
   struct Figures
   {
-    std::int64_t invalidWalks = 0; ///< that the verification found
     std::int64_t repairedSegments = 0;
     double verifySeconds = 0, repairSeconds = 0; ///< of all threads
   };
@@ -93,13 +92,50 @@ private:
   void addMarked(const Unit& unit, StaleWalks& stale, RepairWork& work);
   void addBorn(const Unit& unit, RepairWork& work) const;
 
-  std::unique_ptr<RepairWork> take();
+  std::unique_ptr<RepairWork> take()
+  {
+    std::unique_ptr<RepairWork> work = state_.pool.take();
+    work->batch.begin(state_.tracer, &state_.history);
+    work->verifier.hidden.clear();
+    work->firsts.clear();
+    work->changes.gone.clear();
+    work->changes.arrived.clear();
+    work->areBorn = work->hasBegun = false;
+    return work;
+  }
   /// Removes the old tails of the front.
   void removeOld(RepairWork& work, FrontTally& tally);
-  void remove(RepairWork& work, std::size_t row);
   /// Shoots the new ones; returns whether they are done.
   bool shoot(RepairWork& work, const std::function<bool()>& hasToStop);
-  void finish(std::unique_ptr<RepairWork>& work);
+  void finish(std::unique_ptr<RepairWork>& work)
+  {
+    const std::vector<SegmentPlace>& places = work->batch.places();
+    for (std::size_t i = 0; i < work->verifier.hidden.size(); ++i)
+    {
+      if (work->verifier.hidden[i].isKnown())
+      {
+        state_.history.setHidden(places[i], work->verifier.hidden[i]);
+      }
+    }
+    for (std::size_t i = 0; state_.changes && i < places.size(); ++i)
+    {
+      state_.history.forEachPhotonFrom(places[i], work->firsts[i],
+        [&](const Photon& photon) { work->changes.arrived.push_back(photon); });
+    }
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      figures_.repairedSegments += work->batch.numberOfSegments();
+      if (state_.changes)
+      {
+        state_.changes->add(work->changes);
+      }
+      if (state_.tails)
+      {
+        state_.tails->insert(state_.tails->end(), work->firsts.begin(), work->firsts.end());
+      }
+    }
+    state_.pool.giveBack(std::move(work));
+  }
 
   State state_;
   std::atomic<bool> hasBegun_{ false };

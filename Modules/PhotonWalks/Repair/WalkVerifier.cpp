@@ -23,52 +23,29 @@ WalkVerifier::WalkVerifier(const WalkTracer& tracer, const WalkHistory& history,
   }
 }
 
-void WalkVerifier::Memory::clear()
-{
-  for (Suspects* const suspects : all())
-  {
-    suspects->rows.size = 0;
-    suspects->known.clear();
-  }
-}
-
-/// Any of them may get all.
-void WalkVerifier::Memory::reserve(std::size_t more, int bands)
-{
-  for (Suspects* const suspects : all())
-  {
-    suspects->rows.reserve(suspects->rows.size + more, bands);
-  }
-}
-
 template <class IsChosen>
 void WalkVerifier::choose(Memory& memory, const IsChosen& isChosen, WalkFront& stale) const
 {
   const std::array<Suspects*, 3> suspects = memory.all();
   const std::array<const WalkFront*, 3> fronts{ &suspects[0]->rows, &suspects[1]->rows,
     &suspects[2]->rows };
-  std::array<std::size_t, 3> next{};
-  const auto blockAt = [&](std::size_t i) {
-    return next[i] < fronts[i]->size ? fronts[i]->block[next[i]] : WalkFront::kNone;
+  using Row = WalkFront::Rows::value_type;
+  const auto isBefore = [&](const Row& a, const Row& b) {
+    return fronts[a.first]->block[a.second] < fronts[b.first]->block[b.second];
   };
   memory.chosen.clear();
-  for (;;)
+  for (std::size_t i = 0; i < fronts.size(); ++i)
   {
-    const std::uint32_t block = std::min({ blockAt(0), blockAt(1), blockAt(2) });
-    if (block == WalkFront::kNone)
+    const auto before = static_cast<std::ptrdiff_t>(memory.chosen.size());
+    for (std::size_t row = 0; row < fronts[i]->size; ++row)
     {
-      break;
-    }
-    for (std::size_t i = 0; i < fronts.size(); ++i)
-    {
-      for (; blockAt(i) == block; ++next[i])
+      if (isChosen(*fronts[i], row))
       {
-        if (isChosen(*fronts[i], next[i]))
-        {
-          memory.chosen.emplace_back(i, next[i]);
-        }
+        memory.chosen.emplace_back(i, row);
       }
     }
+    std::inplace_merge(
+      memory.chosen.begin(), memory.chosen.begin() + before, memory.chosen.end(), isBefore);
   }
   stale.pick(fronts, memory.chosen);
   for (std::size_t i = 0; cachesStaticHits_ && i < memory.chosen.size(); ++i)
@@ -115,6 +92,7 @@ void WalkVerifier::find(std::size_t first, std::size_t end,
       return rows.bounce[row] == memory.firstStale[walkAt(rows, row, first)];
     },
     stale);
+  found_ += static_cast<std::int64_t>(stale.size);
 }
 
 void WalkVerifier::castAgain(
@@ -138,9 +116,31 @@ void WalkVerifier::cast(Memory& memory, bool byAllDynamic) const
   {
     memory.rays.find(tracer_, history_, suspects->rows);
   }
-  castBlocked(memory, byAllDynamic);
+  // The old hit is not on a moved object. It is valid unless a moved object came in front of it.
+  WalkFront& blocked = memory.blocked.rows;
+  tracer_.findDistances(blocked, memory.cast);
+  for (std::size_t row = 0; cachesStaticHits_ && row < blocked.size; ++row)
+  {
+    if (!isDynamic(blocked.hit[row]))
+    {
+      memory.blocked.known[row] = { blocked.distance[row], blocked.hit[row],
+        { blocked.weightB[row], blocked.weightC[row] } };
+    }
+  }
+  byAllDynamic ? tracer_.castDynamic(blocked, memory.cast)
+               : tracer_.castMoved(blocked, memory.cast);
   tracer_.cast(memory.lost.rows, memory.cast); // the object that was hit moved, or objects touch
-  castUncovered(memory);
+  // Dynamic objects hid a static hit that is known.
+  WalkFront& uncovered = memory.uncovered.rows;
+  for (std::size_t row = 0; row < uncovered.size; ++row)
+  {
+    const HiddenHit& known = memory.uncovered.known[row];
+    uncovered.distance[row] = known.distance;
+    uncovered.hit[row] = known.triangle;
+    uncovered.weightB[row] = known.weights[0];
+    uncovered.weightC[row] = known.weights[1];
+  }
+  tracer_.castDynamic(uncovered, memory.cast);
 }
 
 /// Decides for each flagged segment of a block how to find out whether it is stale. Those at whose
@@ -228,37 +228,6 @@ bool WalkVerifier::isTouching(const BounceBlock& block, std::uint32_t slot) cons
   return tracer_.hasContact(hit) || tracer_.isContact(start, hit);
 }
 
-/// The old hit is not on a moved object. It is valid unless a moved object came in front of it.
-void WalkVerifier::castBlocked(Memory& memory, bool byAllDynamic) const
-{
-  WalkFront& rows = memory.blocked.rows;
-  tracer_.findDistances(rows, memory.cast);
-  for (std::size_t row = 0; cachesStaticHits_ && row < rows.size; ++row)
-  {
-    if (!isDynamic(rows.hit[row]))
-    {
-      memory.blocked.known[row] = { rows.distance[row], rows.hit[row],
-        { rows.weightB[row], rows.weightC[row] } };
-    }
-  }
-  byAllDynamic ? tracer_.castDynamic(rows, memory.cast) : tracer_.castMoved(rows, memory.cast);
-}
-
-/// Dynamic objects hid a static hit that is known.
-void WalkVerifier::castUncovered(Memory& memory) const
-{
-  WalkFront& rows = memory.uncovered.rows;
-  for (std::size_t row = 0; row < rows.size; ++row)
-  {
-    const HiddenHit& known = memory.uncovered.known[row];
-    rows.distance[row] = known.distance;
-    rows.hit[row] = known.triangle;
-    rows.weightB[row] = known.weights[0];
-    rows.weightC[row] = known.weights[1];
-  }
-  tracer_.castDynamic(rows, memory.cast);
-}
-
 /// Segments whose hit moved are stale even if the same triangle is found again: its normal and the
 /// point on it have changed. They were noted before.
 void WalkVerifier::noteFirst(std::size_t firstBlock, Memory& memory) const
@@ -276,24 +245,6 @@ void WalkVerifier::noteFirst(std::size_t firstBlock, Memory& memory) const
   const WalkFront &blocked = memory.blocked.rows, &lost = memory.lost.rows;
   noteIf(blocked, [&](std::size_t row) { return blocked.hit[row] != blocked.candidate[row]; });
   noteIf(lost, [&](std::size_t row) { return isChanged(lost, row); });
-}
-
-/// Where objects touch, the hit may be the same and yet depend on other objects than before: then
-/// it is stored again as well.
-bool WalkVerifier::isChanged(const WalkFront& rows, std::size_t row) const
-{
-  const BounceBlock& block = history_.block(rows.block[row]);
-  const std::uint32_t slot = rows.slot[row], hit = rows.hit[row];
-  const std::array<float, 2> weights{ rows.weightB[row], rows.weightC[row] };
-  return hit != block.triangle(slot) || weights != block.weights(slot) || hasMoved(hit) ||
-    tracer_.isContact(rows.start[row], hit) != block.isContact(slot);
-}
-
-std::size_t WalkVerifier::walkAt(
-  const WalkFront& rows, std::size_t row, std::size_t firstBlock) const
-{
-  return (rows.block[row] - firstBlock) * WalkPlan::kWalksPerBlock +
-    (rows.walk[row] - history_.block(rows.block[row]).firstWalk());
 }
 
 }

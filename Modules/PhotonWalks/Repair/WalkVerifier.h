@@ -51,8 +51,22 @@ public:
       std::vector<HiddenHit> known;
     };
 
-    void clear();
-    void reserve(std::size_t more, int bands);
+    void clear()
+    {
+      for (Suspects* const suspects : all())
+      {
+        suspects->rows.size = 0;
+        suspects->known.clear();
+      }
+    }
+    /// Any of them may get all.
+    void reserve(std::size_t more, int bands)
+    {
+      for (Suspects* const suspects : all())
+      {
+        suspects->rows.reserve(suspects->rows.size + more, bands);
+      }
+    }
     std::array<Suspects*, 3> all() { return { &blocked, &lost, &uncovered }; }
 
     Suspects blocked, lost, uncovered;
@@ -73,8 +87,9 @@ public:
   /// nothing is known of the hits.
   void castAgain(
     const std::vector<SegmentPlace>& places, bool areLost, Memory& memory, WalkFront& stale) const;
-  /// The number of segments for which rays were cast so far.
+  /// The number of segments for which rays were cast so far, and of walks that were found.
   std::int64_t numberOfSuspects() const { return suspects_; }
+  std::int64_t numberFound() const { return found_; }
 
 private:
   using Suspects = Memory::Suspects;
@@ -95,12 +110,23 @@ private:
   /// Finds the rays of all suspects, and their hits. `byAllDynamic`: a blocked ray may hit any
   /// dynamic object, not only those that moved.
   void cast(Memory& memory, bool byAllDynamic) const;
-  void castBlocked(Memory& memory, bool byAllDynamic) const;
-  void castUncovered(Memory& memory) const;
   void noteFirst(std::size_t firstBlock, Memory& memory) const;
-  bool isChanged(const WalkFront& rows, std::size_t row) const;
+  /// Where objects touch, the hit may be the same and yet depend on other objects than before: then
+  /// it is stored again as well.
+  bool isChanged(const WalkFront& rows, std::size_t row) const
+  {
+    const BounceBlock& block = history_.block(rows.block[row]);
+    const std::uint32_t slot = rows.slot[row], hit = rows.hit[row];
+    const std::array<float, 2> weights{ rows.weightB[row], rows.weightC[row] };
+    return hit != block.triangle(slot) || weights != block.weights(slot) || hasMoved(hit) ||
+      tracer_.isContact(rows.start[row], hit) != block.isContact(slot);
+  }
   /// The walk of a row, counted from the first of the first block.
-  std::size_t walkAt(const WalkFront& rows, std::size_t row, std::size_t firstBlock) const;
+  std::size_t walkAt(const WalkFront& rows, std::size_t row, std::size_t firstBlock) const
+  {
+    return (rows.block[row] - firstBlock) * WalkPlan::kWalksPerBlock +
+      (rows.walk[row] - history_.block(rows.block[row]).firstWalk());
+  }
   /// Takes the rows for which isChosen(rows, row) is true, block by block.
   template <class IsChosen>
   void choose(Memory& memory, const IsChosen& isChosen, WalkFront& stale) const;
@@ -113,7 +139,7 @@ private:
   bool cachesStaticHits_;
   std::uint32_t firstDynamic_;         ///< triangle
   std::vector<std::uint8_t> hasMoved_; ///< by dynamic triangle
-  mutable std::atomic<std::int64_t> suspects_{ 0 };
+  mutable std::atomic<std::int64_t> suspects_{ 0 }, found_{ 0 };
 };
 
 }

@@ -59,7 +59,8 @@ struct Emission
   /// the exitance is the mean over all directions before it was scaled by a pose.
   std::vector<std::uint32_t> luminaireOfCell;
   static constexpr std::uint32_t kNone = 0xffffffffu;
-  /// The group of each cell's lights; empty: all are in `group`.
+  /// The group of each cell's lights; empty: all are in `group`. To an engine all are one, see
+  /// GroupLamps.
   std::vector<std::uint32_t> groups;
   std::uint32_t group = 0;
 

@@ -134,29 +134,6 @@ void SceneLamps::update(const SceneObjects& objects)
   }
 }
 
-std::uint32_t SceneLamps::numberOfGroups() const
-{
-  std::size_t number = 0;
-  for (const OfObject& object : objects_)
-  {
-    number = std::max(number, object.isPresent ? object.brightest.size() : 0);
-  }
-  return static_cast<std::uint32_t>(number);
-}
-
-Bands SceneLamps::brightest(std::uint32_t group) const
-{
-  Bands most{};
-  for (const OfObject& object : objects_)
-  {
-    if (object.isPresent && group < object.brightest.size())
-    {
-      most = larger(most, object.brightest[group]);
-    }
-  }
-  return most;
-}
-
 SceneObjects GroupLamps::only(const SceneObjects& objects, const SceneLamps* scene,
   std::uint32_t group, const Bands& scale, bool hasSky)
 {

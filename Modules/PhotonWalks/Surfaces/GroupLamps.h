@@ -18,10 +18,19 @@ class SceneLamps
 public:
   void update(const SceneObjects& objects);
 
-  /// The numbers of groups with lamps that are there are less than this.
-  std::uint32_t numberOfGroups() const;
   /// The largest exitance or flux of a group in each band; 0 if it has no lamps that are there.
-  Bands brightest(std::uint32_t group) const;
+  Bands brightest(std::uint32_t group) const
+  {
+    Bands most{};
+    for (const OfObject& object : objects_)
+    {
+      if (object.isPresent && group < object.brightest.size())
+      {
+        most = larger(most, object.brightest[group]);
+      }
+    }
+    return most;
+  }
   /// See SceneObject::lampCells.
   const std::shared_ptr<const std::vector<bool>>& lampCellsOf(std::uint32_t object) const
   {

@@ -53,9 +53,68 @@ private:
   std::uint64_t value_ = 0xcbf29ce484222325u;
 };
 
+inline void addTo(Hash& hash, const TriangleMesh& mesh)
+{
+  hash.add(mesh.size());
+  for (const Triangle& triangle : mesh.triangles())
+  {
+    hash.add(triangle.a, triangle.b, triangle.c);
+  }
+}
+
+inline void addTo(Hash& hash, const Material& material)
+{
+  hash.add(material.bands, material.cellOfTriangle, material.reflectance,
+    material.specularReflectance, material.phongExponent, material.diffuseTransmittance,
+    material.specularTransmittance, material.refractiveIndex, material.internalTransmittance);
+}
+
+inline void addTo(Hash& hash, const Emission& emission)
+{
+  hash.add(emission.exitance, emission.groups, emission.group, emission.luminaireOfCell);
+  for (const Luminaire& lamp : emission.luminaires)
+  {
+    hash.add(lamp.axis, lamp.reference, lamp.flux, lamp.faces, lamp.intensity->integral());
+  }
+  for (const PointSource& source : emission.points)
+  {
+    hash.add(source.position, source.flux, source.cell);
+  }
+}
+
 /// Adds a frame: equal frames give equal hashes, whatever the addresses. What `known` has too, at
 /// the same address, is left out; null: nothing is.
-void addScene(const SceneObjects& objects, const SceneObjects* known, Hash& hash);
+inline void addScene(const SceneObjects& objects, const SceneObjects* known, Hash& hash)
+{
+  hash.add(objects.size(), objects.sky != nullptr);
+  if (const Sky* const sky = objects.sky.get(); sky && !(known && known->sky == objects.sky))
+  {
+    hash.add(sky->radiance, sky->polarAngles, sky->azimuths, sky->bandWeights, sky->towardsSun,
+      sky->sunIrradiance, sky->sunRadius, sky->lit.lower, sky->lit.upper);
+  }
+  for (std::uint32_t i = 0; i < objects.size(); ++i)
+  {
+    const SceneObject& object = objects[i];
+    const SceneObject* before = known && i < known->size() ? &(*known)[i] : nullptr;
+    for (int row = 0; row < 3; ++row)
+    {
+      hash.add(Vector3(object.worldFromObject.linear.row(row)));
+    }
+    hash.add(object.worldFromObject.translation, object.isPresent);
+    if (!before || before->body != object.body)
+    {
+      addTo(hash, object.body->mesh());
+    }
+    if (!before || before->material != object.material)
+    {
+      addTo(hash, *object.material);
+    }
+    if (object.emission && (!before || before->emission != object.emission))
+    {
+      addTo(hash, *object.emission);
+    }
+  }
+}
 
 }
 

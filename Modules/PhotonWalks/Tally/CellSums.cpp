@@ -12,13 +12,6 @@ namespace irradiance
 namespace
 {
 
-template <class Number>
-void copy(const std::vector<Number>& from, std::size_t first, std::size_t size,
-  std::vector<Number>& to, std::size_t firstThere)
-{
-  std::copy_n(from.data() + first, size, to.data() + firstThere);
-}
-
 /// Calls visit(first, end) for pieces of all numbers below `size`, so that no step takes long.
 template <class Visit>
 void forPieces(std::size_t size, const CancelPoint& cancelPoint, const Visit& visit)
@@ -68,14 +61,6 @@ CellSums::CellSums(const SceneObjects& objects, const WalkPlan& plan, std::size_
   setRounds(rounds);
 }
 
-CellSums CellSums::ofGathered(const SceneObjects& objects, const WalkPlan& plan, std::size_t rounds)
-{
-  CellSums sums(objects, plan, 0, { 0, objects.size() });
-  sums.areShot_ = false;
-  sums.setRounds(rounds);
-  return sums;
-}
-
 void CellSums::replace(const SceneObjects& objects, const std::vector<std::uint32_t>& staticCells,
   const CancelPoint& cancelPoint)
 {
@@ -89,10 +74,14 @@ void CellSums::replace(const SceneObjects& objects, const std::vector<std::uint3
       const std::size_t first = slotOf({ cell, 0 }, 0, round);
       const std::size_t firstNow = now.slotOf({ { cell.object, cellNow }, 0 }, 0, round);
       const std::size_t size = count * slotsPerCell();
-      areShot_ ? copy(sums_, first, size, now.sums_, firstNow) : void();
+      if (areShot_)
+      {
+        std::copy_n(sums_.data() + first, size, now.sums_.data() + firstNow);
+      }
       if (gathers(cell))
       {
-        copy(gathered_, gatheredPlace(first), size, now.gathered_, now.gatheredPlace(firstNow));
+        std::copy_n(gathered_.data() + gatheredPlace(first), size,
+          now.gathered_.data() + now.gatheredPlace(firstNow));
       }
     }
     pace.step();
@@ -121,15 +110,6 @@ void CellSums::setRounds(std::size_t rounds, const CancelPoint& cancelPoint)
   resize(sums_, areShot_ ? rounds * roundSize_ : 0, cancelPoint);
   resize(gathered_, rounds * gatheredSize_, cancelPoint);
   rounds_ = rounds;
-}
-
-void CellSums::rescale(const WalkPlan& plan, std::int64_t quantaBefore, std::int64_t quanta)
-{
-  plan_ = plan;
-  for (std::size_t i = 0; quanta != quantaBefore && i < sums_.size(); ++i)
-  {
-    sums_[i] = sums_[i] / quantaBefore * quanta;
-  }
 }
 
 void CellSums::add(const std::vector<Deposit>& deposits)
@@ -161,21 +141,6 @@ void CellSums::add(const std::vector<Deposit>& deposits)
     {
       prefetchLine(sums_.data() + sorted[std::min(i + kAhead, sorted.size() - 1)].slot);
       sums_[sorted[i].slot] += sorted[i].quanta;
-    }
-  }
-}
-
-void CellSums::addCounts(std::int32_t* counts, std::int64_t quanta)
-{
-  for (std::size_t i = 0; i < sums_.size();)
-  {
-    const std::size_t part = i >> partShift(),
-                      end = std::min((part + 1) << partShift(), sums_.size());
-    const std::lock_guard<std::mutex> lock((*mutexes_)[part]);
-    for (; i < end; ++i)
-    {
-      sums_[i] += counts[i] * quanta;
-      counts[i] = 0;
     }
   }
 }

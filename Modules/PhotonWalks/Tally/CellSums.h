@@ -47,7 +47,13 @@ public:
     const CellPart& gatherers = {}, int sides = 2);
   /// With room for what all cells gather alone, and none for walks.
   static CellSums ofGathered(
-    const SceneObjects& objects, const WalkPlan& plan = {}, std::size_t rounds = 1);
+    const SceneObjects& objects, const WalkPlan& plan = {}, std::size_t rounds = 1)
+  {
+    CellSums sums(objects, plan, 0, { 0, objects.size() });
+    sums.areShot_ = false;
+    sums.setRounds(rounds);
+    return sums;
+  }
 
   /// Changes to objects of which some have other cells than before. These start with nothing; all
   /// others keep their sums. `staticCells`: see KeptParts.
@@ -63,7 +69,14 @@ public:
   }
   /// Changes to a plan with another number of walks in its only round, whose photons have other
   /// quanta. All sums are of photons.
-  void rescale(const WalkPlan& plan, std::int64_t quantaBefore, std::int64_t quanta);
+  void rescale(const WalkPlan& plan, std::int64_t quantaBefore, std::int64_t quanta)
+  {
+    plan_ = plan;
+    for (std::size_t i = 0; quanta != quantaBefore && i < sums_.size(); ++i)
+    {
+      sums_[i] = sums_[i] / quantaBefore * quanta;
+    }
+  }
   std::size_t rounds() const { return rounds_; }
   std::size_t bytes() const
   {
@@ -114,7 +127,20 @@ public:
   void add(const std::vector<Deposit>& deposits);
   /// Adds counts of photons of one power, one for each slot of the sums, and sets them to 0. May be
   /// called by many threads at once.
-  void addCounts(std::int32_t* counts, std::int64_t quanta);
+  void addCounts(std::int32_t* counts, std::int64_t quanta)
+  {
+    for (std::size_t i = 0; i < sums_.size();)
+    {
+      const std::size_t part = i >> partShift(),
+                        end = std::min((part + 1) << partShift(), sums_.size());
+      const std::lock_guard<std::mutex> lock((*mutexes_)[part]);
+      for (; i < end; ++i)
+      {
+        sums_[i] += counts[i] * quanta;
+        counts[i] = 0;
+      }
+    }
+  }
   /// Adds what a cell of the gatherers gathers; `sign` -1 takes it away. For one thread alone.
   void addGathered(std::size_t slot, bool isFront, const Bands& quanta, int sign)
   {

@@ -3,15 +3,14 @@
 
 #include "DirectLight/DirectPilot.h"
 #include "DirectLight/FirstHits.h"
+#include "DirectLight/PowerClasses.h"
 #include "Repair/SceneChange.h"
 #include "Surfaces/Frame.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -20,6 +19,39 @@ namespace irradiance
 
 namespace
 {
+
+/// Of a walk: rounding them changes its power by less than .2 %.
+constexpr double kFewestQuanta = 256;
+
+/// Shares the walks of a plan among sources by flux, but the part `alike` of them evenly; those
+/// that start at lights are `atLights` times as many.
+void deal(
+  std::vector<WalkSource>& sources, const WalkPlan& plan, double atLights = 1, double alike = 0)
+{
+  const std::uint32_t first = plan.walksAfter(1), replicates = plan.replicates().count();
+  const std::uint32_t times = std::uint32_t{ 1 } << std::ilogb(plan.most() / first);
+  const double flux = std::accumulate(sources.begin(), sources.end(), 0.0,
+    [](double sum, const WalkSource& source) { return sum + source.lights.flux(); });
+  std::uint32_t firstWalk = plan.replicates().firstWalk();
+  double sum = 0;
+  std::int64_t given = 0; // walks of each replicate
+  for (WalkSource& source : sources)
+  {
+    LightTable& lights = source.lights;
+    const double share = lights.flux() / flux * first;
+    const double dealt = (1 - alike) * share + alike * first / static_cast<double>(sources.size());
+    const double number = std::min(source.cells ? dealt : dealt * atLights,
+      share * static_cast<double>(lights.quantaPerWalk()) / kFewestQuanta);
+    sum += number / replicates; // rounded as a whole, so that none gets lost
+    const auto ofReplicate = std::max<std::int64_t>(1, std::llround(sum) - given);
+    given += ofReplicate;
+    const std::uint32_t walks = replicates * static_cast<std::uint32_t>(ofReplicate);
+    source.plan = WalkPlan(walks, walks * times, replicates, firstWalk);
+    firstWalk += walks * times;
+    lights.setQuantaPerWalk(std::max<std::int64_t>(
+      1, std::llround(static_cast<double>(lights.quantaPerWalk()) * (share / walks))));
+  }
+}
 
 std::vector<Known> knownBy(
   const WalkSource& source, const FirstHits& hits, const std::vector<bool>& areDim)
@@ -81,16 +113,7 @@ LightSurvey::Group groupOf(
   return group;
 }
 
-/// Of static objects, W.
-double staticFlux(const LightTable& table)
-{
-  return std::accumulate(
-    table.lights().begin(), table.lights().end(), 0.0, [](double sum, const Light& light) {
-      return sum + (light.cell.object == 0 ? light.totalFlux() : 0);
-    });
-}
-
-/// What different groups send is not alike in its places: their product is that of their means.
+/// What different sources send is not alike in its places: their product is that of their means.
 double unevennessOf(const std::vector<WalkSource>& sources, const std::vector<FirstHits>& hits,
   const std::vector<LightSurvey::Group>& groups)
 {
@@ -117,15 +140,6 @@ double unevennessOf(const std::vector<WalkSource>& sources, const std::vector<Fi
     add(emitted, emittedSquares);
   }
   return power > 0 ? std::max(1.0, squares * area / (power * power)) : 1;
-}
-
-/// How many times as many walks those near lights shoot, beside which others start at cells: with
-/// as little power, as the noise of both is to cost alike.
-double timesAtLights(double reflected, const WalkPlan& plan)
-{
-  constexpr double kLeast = 0.25;
-  constexpr std::uint32_t kMost = std::uint32_t{ 1 } << 28; // walks have numbers of 32 bits
-  return plan.most() < kMost ? 1 / std::clamp(reflected, kLeast, 1.0) : 1;
 }
 
 /// Parts a source by how its lights are best known. `atLights`: see deal().
@@ -167,9 +181,45 @@ std::vector<WalkSource> partsOf(const WalkSource& source, const LightSurvey::Gro
 
 }
 
-double LightSurvey::powerOfStart(double reflected)
+std::vector<WalkSource> sourcesOf(
+  const SceneObjects& objects, const WalkPlan& plan, const LightWalls& walls)
 {
-  return std::clamp(reflected, 0.0625, 1.0);
+  // A class is worth a few walks of each replicate, of enough quanta.
+  constexpr double kFewestWalks = 4;
+  const double walks = plan.walksAfter(1) / (kFewestWalks * plan.replicates().count());
+  const LightTable lights(objects, plan.most(), walls);
+  std::vector<WalkSource> sources;
+  bool haveClasses = false;
+  for (const bool isSky : { false, true })
+  {
+    std::vector<bool> chosen;
+    for (const Light& light : lights.lights())
+    {
+      chosen.push_back((light.distant() && light.distant()->isSky()) == isSky);
+    }
+    const LightTable part = lights.only(chosen);
+    if (part.isEmpty())
+    {
+      continue;
+    }
+    std::vector<LightTable> classes = powerClassesOf(
+      part, objects, kFewestQuanta / (static_cast<double>(part.quantaPerWalk()) * walks));
+    haveClasses = haveClasses || classes.size() > 1;
+    for (LightTable& some : classes)
+    {
+      sources.push_back({ std::move(some), plan });
+    }
+  }
+  if (sources.empty())
+  {
+    sources.push_back({ {}, plan });
+  }
+  if (sources.size() > 1)
+  {
+    constexpr double kAlike = 0.9;
+    deal(sources, plan, 1, haveClasses ? kAlike : 0);
+  }
+  return sources;
 }
 
 LightTable LightSurvey::Group::lightsOf(const WalkSource& source, Known part) const
@@ -196,59 +246,14 @@ LightSurvey::LightSurvey(const SceneObjects& objects, const std::vector<WalkSour
   unevenness_ = unevennessOf(sources, hits, groups_);
 }
 
-double LightSurvey::hiddenVariance() const
+void FrameLights::update(const SceneObjects& objects, const WalkPlan& plan, ObjectSides& sides,
+  const CancelPoint& cancelPoint)
 {
-  double most = 0;
-  for (const Group& group : groups_)
-  {
-    most = group.areHardToFind ? std::max(most, group.variance) : most;
-  }
-  return most;
-}
-
-double LightSurvey::gatheredVariance() const
-{
-  double sum = 0, flux = 0;
-  for (const Group& group : groups_)
-  {
-    if (group.isGathered())
-    {
-      sum += group.variance * staticFlux(group.lamps->lights());
-      flux += group.lamps->lights().flux();
-    }
-  }
-  return flux > 0 ? sum / flux : 0;
-}
-
-double LightSurvey::gatheringCost() const
-{
-  double sum = 0, flux = 0;
-  bool hasLights = false;
-  for (const Group& group : groups_)
-  {
-    hasLights = hasLights || !group.known.empty();
-    if (group.lamps)
-    {
-      sum += group.cost * group.lamps->lights().flux();
-      flux += group.lamps->lights().flux();
-    }
-  }
-  return flux > 0 ? sum / flux : hasLights ? 1 : 0;
-}
-
-bool FrameLights::areOf(const SceneObjects& objects, const WalkPlan& plan) const
-{
-  // A wall that a point light touches may move.
   const auto mayTouchWalls = [](const WalkSource& source) { return source.lights.mayTouchWalls(); };
-  return !sources_.empty() && plan == plan_ && areLightsUnchanged(objects, objects_) &&
-    !(std::any_of(sources_.begin(), sources_.end(), mayTouchWalls) &&
-      hasMotion(findMoved(objects, objects_)));
-}
-
-const std::vector<WalkSource>& FrameLights::sources(const SceneObjects& objects,
-  const WalkPlan& plan, ObjectSides& sides, const CancelPoint& cancelPoint)
-{
-  if (!areOf(objects, plan))
+  // A wall that a point light touches may move.
+  if (sources_.empty() || !(plan == plan_) || !areLightsUnchanged(objects, objects_) ||
+    (std::any_of(sources_.begin(), sources_.end(), mayTouchWalls) &&
+      hasMotion(findMoved(objects, objects_))))
   {
     sources_.clear();
     survey_.reset();
@@ -256,18 +261,6 @@ const std::vector<WalkSource>& FrameLights::sources(const SceneObjects& objects,
     objects_ = objects;
     plan_ = plan;
   }
-  return sources_;
-}
-
-const LightSurvey& FrameLights::survey(const SceneObjects& objects, const WalkPlan& plan,
-  ObjectSides& sides, const CancelPoint& cancelPoint)
-{
-  const std::vector<WalkSource>& found = sources(objects, plan, sides, cancelPoint);
-  if (!survey_)
-  {
-    survey_.emplace(objects, found);
-  }
-  return *survey_;
 }
 
 std::vector<WalkSource> directSourcesOf(const SceneObjects& objects,
@@ -281,7 +274,12 @@ std::vector<WalkSource> directSourcesOf(const SceneObjects& objects,
     survey.groups().begin(), survey.groups().end(), std::mem_fn(&LightSurvey::Group::isGathered));
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
-    const double atLights = isAnyGathered ? timesAtLights(reflected, sources[i].plan) : 1;
+    // Walks of near lights, beside which others start at cells, have as little power as these, as
+    // the noise of both is to cost alike.
+    constexpr double kLeast = 0.25;
+    constexpr std::uint32_t kMost = std::uint32_t{ 1 } << 28; // walks have numbers of 32 bits
+    const double atLights =
+      isAnyGathered && sources[i].plan.most() < kMost ? 1 / std::clamp(reflected, kLeast, 1.0) : 1;
     for (WalkSource& part : partsOf(sources[i], survey.groups()[i], atLights, fewestSamples))
     {
       if (!part.cells)

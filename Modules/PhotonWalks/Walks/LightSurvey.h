@@ -6,12 +6,27 @@
 #include "Surfaces/ObjectSides.h"
 #include "Walks/WalkSource.h"
 
+#include <algorithm>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <vector>
 
 namespace irradiance
 {
+
+/**
+ * A source for the sky and for all other lights, and of these for each class of power, see
+ * powerClassesOf(); one without lights if nothing shines.
+ *
+ * A single one has all walks of the plan. Several share them by flux, of classes half of them
+ * alike, and number them one source after the other. Their shares are rounded: to walks that all
+ * replicates have as many of, which double from round to round. So a walk has more power in one
+ * source than in another, and a quantum is as many watts in all; rounded to whole quanta, the power
+ * of a source is off by less than half a quantum for each walk. Throws as LightTable does.
+ */
+std::vector<WalkSource> sourcesOf(
+  const SceneObjects& objects, const WalkPlan& plan, const LightWalls& walls = {});
 
 /// How the light of a lamp is best known.
 enum class Known
@@ -47,7 +62,7 @@ public:
 
   /// Of a walk that starts at a cell, beside one from a light. `reflected`: by static cells, on
   /// average: where this is little, many weak walks are of no use.
-  static double powerOfStart(double reflected);
+  static double powerOfStart(double reflected) { return std::clamp(reflected, 0.0625, 1.0); }
 
   LightSurvey(const SceneObjects& objects, const std::vector<WalkSource>& sources);
 
@@ -57,33 +72,71 @@ public:
   /// stands for all that is.
   double unevenness() const { return unevenness_; }
   /// Of the lights that are hard to find, see DirectPilot; 0 if there are none.
-  double hiddenVariance() const;
+  double hiddenVariance() const
+  {
+    double most = 0;
+    for (const Group& group : groups_)
+    {
+      most = group.areHardToFind ? std::max(most, group.variance) : most;
+    }
+    return most;
+  }
   /// Likewise of those that are gathered; the part of static lights, as a thing that moves has no
   /// light of its own lamps.
-  double gatheredVariance() const;
+  double gatheredVariance() const
+  {
+    double sum = 0, flux = 0;
+    for (const Group& group : groups_)
+    {
+      if (group.isGathered())
+      {
+        const std::vector<Light>& lights = group.lamps->lights().lights();
+        sum += group.variance *
+          std::accumulate(lights.begin(), lights.end(), 0.0, [](double watts, const Light& light) {
+            return watts + (light.cell.object == 0 ? light.totalFlux() : 0);
+          });
+        flux += group.lamps->lights().flux();
+      }
+    }
+    return flux > 0 ? sum / flux : 0;
+  }
   /// Of all lights that are neither dim nor near, see DirectPilot; 1 if all others are, 0 without
   /// lights.
-  double gatheringCost() const;
+  double gatheringCost() const
+  {
+    double sum = 0, flux = 0;
+    bool hasLights = false;
+    for (const Group& group : groups_)
+    {
+      hasLights = hasLights || !group.known.empty();
+      if (group.lamps)
+      {
+        sum += group.cost * group.lamps->lights().flux();
+        flux += group.lamps->lights().flux();
+      }
+    }
+    return flux > 0 ? sum / flux : hasLights ? 1 : 0;
+  }
 
 private:
   std::vector<Group> groups_; ///< by source
   double unevenness_ = 1;
 };
 
-/// The lights of the frame that was last asked for, as sources of walks, and a survey of them. Both
-/// are found when first asked for, and stay as long as the lights do.
+/// The lights of a frame, as sources of walks, and a survey of them. They stay as long as the lights
+/// do.
 class FrameLights
 {
 public:
-  /// As sourcesOf(). `sides`: of the objects.
-  const std::vector<WalkSource>& sources(const SceneObjects& objects, const WalkPlan& plan,
-    ObjectSides& sides, const CancelPoint& cancelPoint);
-  const LightSurvey& survey(const SceneObjects& objects, const WalkPlan& plan, ObjectSides& sides,
+  /// `sides`: of the objects.
+  void update(const SceneObjects& objects, const WalkPlan& plan, ObjectSides& sides,
     const CancelPoint& cancelPoint);
+  /// As sourcesOf().
+  const std::vector<WalkSource>& sources() const { return sources_; }
+  /// It is found when first asked for.
+  const LightSurvey& survey() { return survey_ ? *survey_ : survey_.emplace(objects_, sources_); }
 
 private:
-  bool areOf(const SceneObjects& objects, const WalkPlan& plan) const;
-
   SceneObjects objects_;
   WalkPlan plan_;
   std::vector<WalkSource> sources_; ///< of these; none before the first frame

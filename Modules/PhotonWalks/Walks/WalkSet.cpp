@@ -17,27 +17,16 @@ namespace
 
 EnclosingEllipsoid enclose(const Box& box)
 {
+  using Corners = Eigen::AlignedBox3d;
   std::vector<Vector3> corners;
   for (int corner = 0; corner < 8; ++corner)
   {
-    const auto along = [&](int axis) {
-      return (corner >> axis & 1) == 0 ? box.lower[axis] : box.upper[axis];
-    };
-    corners.emplace_back(along(0), along(1), along(2));
+    corners.push_back(
+      Corners(box.lower, box.upper).corner(static_cast<Corners::CornerType>(corner)));
   }
   return encloseByEllipsoid(corners);
 }
 
-}
-
-void WalkSet::setSettings(const WalkSettings& settings)
-{
-  if (settings_.cacheStaticHits && !settings.cacheStaticHits)
-  {
-    history_.forgetHiddenHits();
-  }
-  settings_ = settings;
-  statistics_ = {};
 }
 
 void WalkSet::start(const Frame& frame, Execution& execution)
@@ -72,31 +61,6 @@ void WalkSet::start(const Frame& frame, Execution& execution)
   repaired_ = {};
 }
 
-std::shared_ptr<BlockArena> WalkSet::arenaFor(int bands)
-{
-  constexpr std::size_t kUsualBytes = std::size_t{ 4 } * 34; // of a walk
-  const std::size_t pageBytes = BounceBlock::pageBytes(bands);
-  const std::size_t expected =
-    kUsualBytes * blocks_.before(source_.plan.rounds().front().endBlock) * WalkPlan::kWalksPerBlock;
-  if (!arena_ || arena_->pageBytes() < pageBytes || arena_->pageBytes() >= 2 * pageBytes)
-  {
-    arena_ = std::make_shared<BlockArena>(pageBytes);
-  }
-  else if (arena_->bytes() > 4 * expected)
-  {
-    arena_->release();
-  }
-  return arena_;
-}
-
-void WalkSet::shootRound(std::size_t round, bool isStored, const Frame& frame, Execution& execution)
-{
-  const double start = steadySeconds();
-  beginRound(isStored, frame, execution);
-  shootBlocks(plan().rounds()[round], isStored, frame, execution);
-  statistics_.shootSeconds += steadySeconds() - start;
-}
-
 void WalkSet::beginRound(bool isStored, const Frame& frame, Execution& execution)
 {
   const std::size_t round = sums_.rounds();
@@ -124,6 +88,7 @@ void WalkSet::shootBlocks(
   const WalkRound& walks, bool isStored, const Frame& frame, Execution& execution)
 {
   constexpr std::size_t kBlocksTogether = WalkFront::kUsualSize / WalkPlan::kWalksPerBlock;
+  const double start = steadySeconds();
   const SobolSequence samples = this->samples();
   const WalkTracer tracer = this->tracer(frame, samples);
   std::mutex mutex;
@@ -158,6 +123,7 @@ void WalkSet::shootBlocks(
     return isDone;
   });
   statistics_.shotWalks += shot;
+  statistics_.shootSeconds += steadySeconds() - start;
 }
 
 void WalkSet::fill(
@@ -180,17 +146,6 @@ void WalkSet::fill(
   }
 }
 
-void WalkSet::dropRounds(
-  std::size_t kept, const SceneTriangles& triangles, const CancelPoint& cancelPoint)
-{
-  dropBlocks(blocks_.before(plan().rounds()[kept - 1].endBlock), triangles, cancelPoint);
-  if (gathered_)
-  {
-    gathered_->drop(kept, totals(), cancelPoint);
-  }
-  sums_.setRounds(kept, cancelPoint);
-}
-
 void WalkSet::dropBlocks(
   std::size_t kept, const SceneTriangles& triangles, const CancelPoint& cancelPoint)
 {
@@ -211,14 +166,6 @@ void WalkSet::dropBlocks(
     history_.removeLast();
     cancelPoint();
   }
-}
-
-bool WalkSet::isResizedBy(const WalkSource& source, bool areStored) const
-{
-  // With several bands powers are rounded to quanta at each hit.
-  const bool keepPower = history_.bands() == 1 || source.quantaPerWalk() == source_.quantaPerWalk();
-  return source_.differsInNumber(source) && keepPower && !hasStale() &&
-    (areStored || source.plan.most() > source_.plan.most());
 }
 
 void WalkSet::resize(
@@ -244,13 +191,6 @@ void WalkSet::resize(
     history_.append();
   }
   stale_.reset(); // nothing is stale
-}
-
-void WalkSet::shootMissing(bool areStored, const Frame& frame, Execution& execution)
-{
-  const double start = steadySeconds();
-  shootBlocks(missing_, areStored, frame, execution);
-  statistics_.shootSeconds += steadySeconds() - start;
 }
 
 void WalkSet::follow(const Frame& frame, PhotonChanges* changes, Execution& execution)
@@ -337,7 +277,7 @@ void WalkSet::followWalks(const std::vector<bool>& moved, const Repainted& repai
   statistics_.repairSeconds += budget ? budget->elapsed() : steadySeconds() - repairStart;
   std::sort(repaired_.begin(), repaired_.end());
   statistics_.suspectSegments = verifier.numberOfSuspects();
-  statistics_.invalidWalks += repair.figures().invalidWalks;
+  statistics_.invalidWalks += verifier.numberFound();
   statistics_.repairedSegments += repair.figures().repairedSegments;
 }
 
@@ -379,17 +319,6 @@ void WalkSet::startAgain(const Frame& frame, Execution& execution)
     cancelPointOf(execution, 0));
 }
 
-bool WalkSet::hasOtherCells(const Frame& frame) const
-{
-  bool hasOthers = false;
-  for (std::uint32_t i = source_.cells->first; i < source_.cells->second; ++i)
-  {
-    hasOthers = hasOthers || (i > 0 && frame.moved[i - 1]) ||
-      (!frame.repainted.empty() && frame.repainted[i]);
-  }
-  return hasOthers;
-}
-
 void WalkSet::followGathered(const Frame& frame, Execution& execution)
 {
   ProgressSpan beginning(execution, 0, 0);
@@ -409,17 +338,12 @@ void WalkSet::followGathered(const Frame& frame, Execution& execution)
     unborn_.begin(), unborn_.end(), gone.begin(), gone.end(), std::back_inserter(waiting));
   unborn_.clear();
   std::merge(waiting.begin(), waiting.end(), born.begin(), born.end(), std::back_inserter(unborn_));
-  takeBack(stored, frame.triangles, cancelPointOf(beginning, 0));
   statistics_.invalidWalks = static_cast<std::int64_t>(stored.size());
-}
-
-void WalkSet::takeBack(const std::vector<std::uint32_t>& walks, const SceneTriangles& triangles,
-  const CancelPoint& cancelPoint)
-{
   WalkFront old;
   Power starting;
+  const CancelPoint cancelPoint = cancelPointOf(beginning, 0);
   ThrottledCancelPoint pace(cancelPoint);
-  for (const std::uint32_t walk : walks)
+  for (const std::uint32_t walk : stored)
   {
     pace.step(16);
     if (stale_)
@@ -432,7 +356,7 @@ void WalkSet::takeBack(const std::vector<std::uint32_t>& walks, const SceneTrian
       addStored(history_.block(place.block), slot, history_.bands(), old);
     });
   }
-  FrontTally tally(triangles, sums_, balance_, powerPerWalk(), old.size);
+  FrontTally tally(frame.triangles, sums_, balance_, powerPerWalk(), old.size);
   tally.remove(old, starting);
   tally.unrelease(starting);
 }
@@ -469,14 +393,18 @@ BounceScan WalkSet::scanOf(const std::vector<bool>& moved, const Frame& frame) c
   return scan;
 }
 
-void WalkSet::loseHits(const KeptParts& kept, const CancelPoint& cancelPoint)
+void WalkSet::replaceCells(const Frame& frame, const CancelPoint& cancelPoint)
 {
-  history_.forgetHiddenHits();
-  for (std::size_t i = 0; i < history_.size(); ++i)
+  if (!frame.kept.areAll())
+  {
+    history_.forgetHiddenHits();
+  }
+  // What hit parts that are gone counts as escaped until it is cast again.
+  for (std::size_t i = 0; !frame.kept.areAll() && i < history_.size(); ++i)
   {
     BounceBlock& block = history_.block(i);
     block.forEach([&](std::uint32_t slot) {
-      if (kept.isGone(block.triangle(slot)))
+      if (frame.kept.isGone(block.triangle(slot)))
       {
         const Power carried = block.power(slot);
         balance_.absorbed -= carried;
@@ -487,36 +415,10 @@ void WalkSet::loseHits(const KeptParts& kept, const CancelPoint& cancelPoint)
     });
     cancelPoint();
   }
-}
-
-void WalkSet::replaceCells(const SceneObjects& objects, const TriangleNumbers& numbers,
-  const KeptParts& kept, const CancelPoint& cancelPoint)
-{
-  if (!kept.areAll())
-  {
-    loseHits(kept, cancelPoint);
-  }
-  sums_.replace(objects, kept.staticCells, cancelPoint);
-  history_.renumber(numbers, kept.triangles);
+  sums_.replace(frame.objects, frame.kept.staticCells, cancelPoint);
+  history_.renumber(frame.triangles.numbers(), frame.kept.triangles);
   stale_.reset(); // nothing is stale
   areCellsRenumbered_ = source_.isDynamic();
-}
-
-void WalkSet::forgetBudget()
-{
-  // All ranks agree on the rounds, but not on how many blocks they have.
-  if (stale_ && stale_->isEmpty() && (!hasBudget() || staleRounds_ != sums_.rounds()))
-  {
-    stale_.reset();
-  }
-}
-
-std::size_t WalkSet::bytes() const
-{
-  std::size_t gathered = 0;
-  forEachGathered([&](const DirectGather& light) { gathered += light.bytes(); });
-  return (stale_ ? stale_->bytes() : 0) + repaired_.capacity() * sizeof(SegmentRef) +
-    history_.bytes() + (gathered > 0 ? gathered + sums_.bytes() : 0);
 }
 
 Bands WalkSet::largestStart() const

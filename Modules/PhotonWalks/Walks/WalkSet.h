@@ -89,35 +89,72 @@ public:
   }
   /// For what is done next. Between two starts they may differ only in what is kept, and in the
   /// budget.
-  void setSettings(const WalkSettings& settings);
+  void setSettings(const WalkSettings& settings)
+  {
+    if (settings_.cacheStaticHits && !settings.cacheStaticHits)
+    {
+      history_.forgetHiddenHits();
+    }
+    settings_ = settings;
+    statistics_ = {};
+  }
   /// Of time, for the next motion, s; > 0 if there is one in the settings.
   void setBudget(double seconds) { settings_.repairTimeBudget = seconds; }
   /// Forgets all walks. The next rounds are shot in this space; of each round this rank shoots its
   /// blocks.
   void start(const Frame& frame, Execution& execution);
   /// Shoots a round. With `isStored` the history holds all rounds before it.
-  void shootRound(std::size_t round, bool isStored, const Frame& frame, Execution& execution);
+  void shootRound(std::size_t round, bool isStored, const Frame& frame, Execution& execution)
+  {
+    const double start = steadySeconds();
+    beginRound(isStored, frame, execution);
+    statistics_.shootSeconds += steadySeconds() - start;
+    shootBlocks(plan().rounds()[round], isStored, frame, execution);
+  }
   /// Drops all but the first `kept` rounds.
-  void dropRounds(
-    std::size_t kept, const SceneTriangles& triangles, const CancelPoint& cancelPoint);
+  void dropRounds(std::size_t kept, const SceneTriangles& triangles, const CancelPoint& cancelPoint)
+  {
+    dropBlocks(blocks_.before(plan().rounds()[kept - 1].endBlock), triangles, cancelPoint);
+    if (gathered_)
+    {
+      gathered_->drop(kept, totals(), cancelPoint);
+    }
+    sums_.setRounds(kept, cancelPoint);
+  }
   /// Whether another source has only another number of walks, and those that both have may stay: all
   /// are stored, or there are more, and none is stale.
-  bool isResizedBy(const WalkSource& source, bool areStored) const;
+  bool isResizedBy(const WalkSource& source, bool areStored) const
+  {
+    // With several bands powers are rounded to quanta at each hit.
+    const bool keepPower =
+      history_.bands() == 1 || source.quantaPerWalk() == source_.quantaPerWalk();
+    return source_.differsInNumber(source) && keepPower && !hasStale() &&
+      (areStored || source.plan.most() > source_.plan.most());
+  }
   /// After setSource() of such a source: drops the walks that it has not, and takes what is left for
   /// a part of it. What is missing then is for shootMissing().
   void resize(bool areStored, const SceneTriangles& triangles, const CancelPoint& cancelPoint);
-  void shootMissing(bool areStored, const Frame& frame, Execution& execution);
+  void shootMissing(bool areStored, const Frame& frame, Execution& execution)
+  {
+    shootBlocks(missing_, areStored, frame, execution);
+  }
   /// Follows a change: verifies what is stored, if the frame has changed, and repairs what is stale,
   /// as far as the budget of time goes. `changes`: receives the photons that go and come; null: not
   /// asked for.
   void follow(const Frame& frame, PhotonChanges* changes, Execution& execution);
   /// Changes to objects of which some have other cells or triangles. No walk may be stale, or touch
   /// these, other than parts that are gone.
-  void replaceCells(const SceneObjects& objects, const TriangleNumbers& numbers,
-    const KeptParts& kept, const CancelPoint& cancelPoint);
+  void replaceCells(const Frame& frame, const CancelPoint& cancelPoint);
   /// Forgets that there was a budget if nothing is stale, and there is none now or the number of
   /// rounds has changed.
-  void forgetBudget();
+  void forgetBudget()
+  {
+    // All ranks agree on the rounds, but not on how many blocks they have.
+    if (stale_ && stale_->isEmpty() && (!hasBudget() || staleRounds_ != sums_.rounds()))
+    {
+      stale_.reset();
+    }
+  }
 
   const WalkSource& source() const { return source_; }
   const LightTable& lights() const { return source_.lights; }
@@ -146,7 +183,13 @@ public:
   /// What was done since the settings were made.
   const WalkStatistics& statistics() const { return statistics_; }
   /// Memory held.
-  std::size_t bytes() const;
+  std::size_t bytes() const
+  {
+    std::size_t gathered = 0;
+    forEachGathered([&](const DirectGather& light) { gathered += light.bytes(); });
+    return (stale_ ? stale_->bytes() : 0) + repaired_.capacity() * sizeof(SegmentRef) +
+      history_.bytes() + (gathered > 0 ? gathered + sums_.bytes() : 0);
+  }
 
   /// Where walks start; null: at the lights.
   const DirectRounds* gathered() const { return gathered_.get(); }
@@ -188,14 +231,21 @@ private:
   void fill(
     WalkBatch& batch, std::size_t first, std::size_t end, std::uint32_t firstWalk, int bands) const;
   /// Whether walks start at cells of which some moved or reflect otherwise.
-  bool hasOtherCells(const Frame& frame) const;
+  bool hasOtherCells(const Frame& frame) const
+  {
+    bool hasOthers = false;
+    for (std::uint32_t i = source_.cells->first; i < source_.cells->second; ++i)
+    {
+      hasOthers = hasOthers || (i > 0 && frame.moved[i - 1]) ||
+        (!frame.repainted.empty() && frame.repainted[i]);
+    }
+    return hasOthers;
+  }
   /// Gathers anew; for such cells. All walks are still to be born.
   void startAgain(const Frame& frame, Execution& execution);
   /// Follows what a motion changes of the direct light: takes back the walks that no longer start,
   /// and notes which are to be born.
   void followGathered(const Frame& frame, Execution& execution);
-  void takeBack(const std::vector<std::uint32_t>& walks, const SceneTriangles& triangles,
-    const CancelPoint& cancelPoint);
   /// Walks of this rank that isChosen(block, walk), in order.
   template <class Chosen>
   std::vector<std::uint32_t> walksOfBlocks(
@@ -204,13 +254,26 @@ private:
   /// were shot.
   void followWalks(const std::vector<bool>& moved, const Repainted& repainted, const Frame& frame,
     PhotonChanges* changes, Execution& execution);
-  /// What hit parts that are gone counts as escaped until it is cast again.
-  void loseHits(const KeptParts& kept, const CancelPoint& cancelPoint);
   DirectGather::Totals totals() { return { sums_, balance_, blocks_ }; }
   /// What a motion may change, to be looked for among stored segments.
   BounceScan scanOf(const std::vector<bool>& moved, const Frame& frame) const;
   /// An arena for pages of so many bands: the one of before, if it will do.
-  std::shared_ptr<BlockArena> arenaFor(int bands);
+  std::shared_ptr<BlockArena> arenaFor(int bands)
+  {
+    constexpr std::size_t kUsualBytes = std::size_t{ 4 } * 34; // of a walk
+    const std::size_t pageBytes = BounceBlock::pageBytes(bands);
+    const std::size_t expected = kUsualBytes *
+      blocks_.before(source_.plan.rounds().front().endBlock) * WalkPlan::kWalksPerBlock;
+    if (!arena_ || arena_->pageBytes() < pageBytes || arena_->pageBytes() >= 2 * pageBytes)
+    {
+      arena_ = std::make_shared<BlockArena>(pageBytes);
+    }
+    else if (arena_->bytes() > 4 * expected)
+    {
+      arena_->release();
+    }
+    return arena_;
+  }
 
   WalkSettings settings_;
   WalkSource source_;

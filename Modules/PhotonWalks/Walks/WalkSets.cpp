@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Walks/WalkSets.h"
 
-#include <cassert>
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <utility>
 
 namespace irradiance
 {
-
-WalkPlan WalkSets::planOf(const WalkSettings& settings)
-{
-  assert(settings.replicates >= (settings.targetRelativeError > 0 ? 2u : 1u));
-  return { settings.numberOfWalks,
-    settings.targetRelativeError > 0 ? settings.maximumNumberOfWalks : settings.numberOfWalks,
-    settings.replicates };
-}
 
 void WalkSets::setSources(std::vector<WalkSource> sources)
 {
@@ -46,12 +35,6 @@ void WalkSets::setSources(std::vector<WalkSource> sources)
   }
 }
 
-bool WalkSets::hasSources(const std::vector<WalkSource>& sources) const
-{
-  return std::equal(sets_.begin(), sets_.end(), sources.begin(), sources.end(),
-    [](const WalkSet& set, const WalkSource& source) { return set.source() == source; });
-}
-
 void WalkSets::setSettings(const WalkSettings& settings)
 {
   budget_ = settings.repairTimeBudget;
@@ -65,36 +48,6 @@ void WalkSets::setSettings(const WalkSettings& settings)
   {
     total_->statistics = {};
   }
-}
-
-void WalkSets::start(const Frame& frame, Execution& execution)
-{
-  inParts(
-    sets_.size(), execution, [&](std::size_t i, Execution& part) { sets_[i].start(frame, part); });
-  sumUp(frame.objects, execution);
-}
-
-void WalkSets::shootRound(
-  std::size_t round, bool isStored, const Frame& frame, Execution& execution)
-{
-  inParts(sets_.size(), execution,
-    [&](std::size_t i, Execution& part) { sets_[i].shootRound(round, isStored, frame, part); });
-  sumUp(frame.objects, execution);
-}
-
-void WalkSets::dropRounds(std::size_t kept, const Frame& frame, Execution& execution)
-{
-  for (WalkSet& set : sets_)
-  {
-    set.dropRounds(kept, frame.triangles, cancelPointOf(execution, 1));
-  }
-  sumUp(frame.objects, execution);
-}
-
-void WalkSets::shootMissing(bool areStored, const Frame& frame, Execution& execution)
-{
-  sets_.front().shootMissing(areStored, frame, execution);
-  sumUp(frame.objects, execution);
 }
 
 void WalkSets::follow(const Frame& frame, PhotonChanges* changes, Execution& execution)
@@ -112,28 +65,6 @@ void WalkSets::follow(const Frame& frame, PhotonChanges* changes, Execution& exe
     left -= sets_[i].statistics().repairSeconds;
   });
   sumUp(frame.objects, execution);
-}
-
-void WalkSets::replaceCells(const Frame& frame, Execution& execution)
-{
-  for (WalkSet& set : sets_)
-  {
-    set.replaceCells(
-      frame.objects, frame.triangles.numbers(), frame.kept, cancelPointOf(execution, 0));
-  }
-  sumUp(frame.objects, execution);
-}
-
-void WalkSets::forgetBudget()
-{
-  for (WalkSet& set : sets_)
-  {
-    set.forgetBudget();
-  }
-  if (total_ && !total_->stale.isStale)
-  {
-    total_->stale.isKept = staleOfSets().isKept;
-  }
 }
 
 void WalkSets::sumUp(const SceneObjects& objects, Execution& execution)
@@ -209,46 +140,6 @@ WalkSets::StaleFigures WalkSets::staleOfSets() const
   return all;
 }
 
-Box WalkSets::boundsInAir() const
-{
-  Box bounds;
-  for (const WalkSet& set : sets_)
-  {
-    bounds.add(set.lights().boundsInAir());
-  }
-  return bounds;
-}
-
-Box WalkSets::bounds(const Scene& scene) const
-{
-  Box bounds = scene.bounds();
-  bounds.add(boundsInAir());
-  return bounds;
-}
-
-Bands WalkSets::largestStart() const
-{
-  Bands largest{};
-  for (const WalkSet& set : sets_)
-  {
-    largest = larger(largest, set.largestStart());
-  }
-  return largest;
-}
-
-std::int64_t WalkSets::numberOfShotWalks() const
-{
-  std::int64_t number = 0;
-  for (const WalkSet& set : sets_)
-  {
-    number += set.gathered() || isEmpty() ? 0 : set.plan().walksAfter(set.sums().rounds());
-    set.forEachGathered([&](const DirectGather& light) {
-      number += static_cast<std::int64_t>(light.starts().numberBorn());
-    });
-  }
-  return number;
-}
-
 double WalkSets::escapedError(int band) const
 {
   // Of so many walks, each with a photon of full power at most, a binomial number is lost.
@@ -265,28 +156,6 @@ double WalkSets::escapedError(int band) const
   return std::sqrt(variance);
 }
 
-WalkHistories WalkSets::histories() const
-{
-  std::vector<const WalkHistory*> all;
-  for (const WalkSet& set : sets_)
-  {
-    all.push_back(&set.history());
-  }
-  return WalkHistories(std::move(all));
-}
-
-std::size_t WalkSets::numberOfBlocks() const
-{
-  return std::accumulate(sets_.begin(), sets_.end(), std::size_t{},
-    [](std::size_t sum, const WalkSet& set) { return sum + set.history().size(); });
-}
-
-std::size_t WalkSets::bytes() const
-{
-  return std::accumulate(sets_.begin(), sets_.end(), total_ ? total_->sums.bytes() : 0,
-    [](std::size_t sum, const WalkSet& set) { return sum + set.bytes(); });
-}
-
 std::vector<std::uint32_t> WalkSets::first(std::size_t count) const
 {
   const std::size_t all = isEmpty() ? 0 : numberOfWalks();
@@ -301,33 +170,6 @@ std::vector<std::uint32_t> WalkSets::first(std::size_t count) const
     std::iota(walks.begin() + next, walks.end(), set.plan().rounds().front().firstWalk);
   }
   return walks;
-}
-
-const CellSums* WalkSets::staleSums() const
-{
-  if (total_)
-  {
-    return total_->stale.isKept ? &total_->staleSums : nullptr;
-  }
-  const StaleWalks* stale = sets_.front().stale();
-  return stale ? &stale->sums() : nullptr;
-}
-
-double WalkSets::staleGainBound(int band) const
-{
-  const StaleFigures stale = staleFigures();
-  return stale.isBounded || stale.carried[band] == 0 ? static_cast<double>(stale.gain[band])
-                                                     : std::numeric_limits<double>::infinity();
-}
-
-WalkStatistics WalkSets::statisticsOfSets() const
-{
-  WalkStatistics sum;
-  for (const WalkSet& set : sets_)
-  {
-    sum += set.statistics();
-  }
-  return sum;
 }
 
 }

@@ -8,7 +8,6 @@
 
 #include <memory>
 #include <optional>
-#include <vector>
 
 namespace irradiance
 {
@@ -63,24 +62,6 @@ struct WalkSource
       a.walksPerSample == b.walksPerSample && a.fewest == b.fewest;
   }
 };
-
-/**
- * A source for each group of lights that shines (see Emission::groups), and in it for each class of
- * power, see powerClassesOf(); one without lights if none does.
- *
- * A single one has all walks of the plan. Several share them by flux, of classes half of them
- * alike, and number them one source after the other. Their shares are rounded: to walks that all
- * replicates have as many of, which double from round to round. So a walk has more power in one
- * source than in another, and a quantum is as many watts in all; rounded to whole quanta, the power
- * of a source is off by less than half a quantum for each walk. Throws as LightTable does.
- */
-std::vector<WalkSource> sourcesOf(
-  const SceneObjects& objects, const WalkPlan& plan, const LightWalls& walls = {});
-
-/// Shares the walks of a plan among sources by flux, but the part `alike` of them evenly; those
-/// that start at lights are `atLights` times as many.
-void deal(
-  std::vector<WalkSource>& sources, const WalkPlan& plan, double atLights = 1, double alike = 0);
 
 }
 
