@@ -44,7 +44,12 @@ public:
     {
       for (const Side& side : sides_[i])
       {
-        powers_[i] += powerOf(side, blocks[i].areas);
+        double power = 0;
+        for (std::size_t k = 0; k < blocks[i].areas.size() * side.bands; ++k)
+        {
+          power += blocks[i].areas[k / side.bands] * side.irradiance.get()[k];
+        }
+        powers_[i] += power;
       }
     }
   }
@@ -130,15 +135,6 @@ private:
     signal = std::min(signal, all); // sums are rounded
     measure.error += signal;
     measure.noise += all - signal;
-  }
-  static double powerOf(const ExposureNode::Side& side, const std::vector<double>& areas)
-  {
-    double power = 0;
-    for (std::size_t i = 0; i < areas.size() * side.bands; ++i)
-    {
-      power += areas[i / side.bands] * side.irradiance.get()[i];
-    }
-    return power;
   }
   /// Adds the weighted sum of the nodes to the error and the noise of a measure, J.
   static void addDifference(const Three& nodes, const std::array<double, 3>& weights,

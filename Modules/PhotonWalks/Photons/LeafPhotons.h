@@ -8,6 +8,8 @@
 #include "Surfaces/SceneObjects.h"
 
 #include <memory>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace irradiance
@@ -54,8 +56,18 @@ private:
   struct Tree
   {
     Tree() = default;
-    explicit Tree(std::shared_ptr<const RigidObject> itsBody);
-    std::size_t size() const; ///< photons
+    explicit Tree(std::shared_ptr<const RigidObject> itsBody)
+      : body(std::move(itsBody))
+      , table(body->tree())
+      , leaves(body->tree().numberOfBlocks())
+    {
+    }
+    /// Photons.
+    std::size_t size() const
+    {
+      return std::accumulate(leaves.begin(), leaves.end(), std::size_t{},
+        [](std::size_t sum, const PhotonTree& leaf) { return sum + leaf.size(); });
+    }
 
     std::shared_ptr<const RigidObject> body;
     LeafTable table;

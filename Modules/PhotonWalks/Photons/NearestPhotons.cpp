@@ -311,8 +311,12 @@ NearestPhotons::NearestPhotons(const LeafPhotons& leaves, const Surfaces& surfac
 
 std::optional<Foot> NearestPhotons::footOf(const Sensor& sensor, double maximumDistance) const
 {
-  return isTooFar(sensor) ? std::nullopt
-                          : findFoot(objects_, surfaces_, trees_, sensor, maximumDistance);
+  // In sizes of the scene. From there a disc of a fiftieth of the scene is as far as its middle.
+  constexpr double kFarthest = 0x1p20;
+  const Vector3 away = (bounds_.lower - sensor.position).cwiseMax(sensor.position - bounds_.upper);
+  return away.maxCoeff() * searchUnitsPerWorldUnit_ > kFarthest
+    ? std::nullopt
+    : findFoot(objects_, surfaces_, trees_, sensor, maximumDistance);
 }
 
 NearPhotons NearestPhotons::find(const Foot& foot, std::size_t count, double maximumRadius) const

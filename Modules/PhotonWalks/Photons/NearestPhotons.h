@@ -73,15 +73,6 @@ private:
   {
     return { objects_[object], surfaces_.of(object), trees_[object], foot };
   }
-  bool isTooFar(const Sensor& sensor) const
-  {
-    const Vector3 away =
-      (bounds_.lower - sensor.position).cwiseMax(sensor.position - bounds_.upper);
-    return away.maxCoeff() * searchUnitsPerWorldUnit_ > kFarthest;
-  }
-
-  /// In sizes of the scene. From there a disc of a fiftieth of the scene is as far as its middle.
-  static constexpr double kFarthest = 0x1p20;
 
   const LeafPhotons& leaves_;
   const Surfaces& surfaces_;

@@ -65,12 +65,8 @@ void requireUsable(const Points& points, ThrottledCancelPoint& pace)
 Points fullDimensional(const Points& active, const CubeFrame& frame)
 {
   Points points = active;
-  Vector3 mean = Vector3::Zero();
-  for (const Vector3& point : active)
-  {
-    mean += point;
-  }
-  mean /= static_cast<double>(active.size());
+  const Vector3 mean = std::accumulate(active.begin(), active.end(), Vector3(Vector3::Zero())) /
+    static_cast<double>(active.size());
   for (int axis = 0; axis < 3; ++axis)
   {
     if (frame.isFlat[axis])

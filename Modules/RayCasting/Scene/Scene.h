@@ -155,8 +155,6 @@ private:
   {
     return bodyOf(id.object).mesh()[id.triangle];
   }
-  /// No geometry is farther from the ray's origin than this, in units of its direction.
-  double reachOf(const Ray& ray) const;
   /// False if the ray certainly misses the object up to a hit at `distance`, which may be infinite.
   bool mayTouch(const Placed& placed, const Ray& ray, double distance) const;
 

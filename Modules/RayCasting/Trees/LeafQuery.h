@@ -53,8 +53,6 @@ public:
 private:
   static constexpr std::uint32_t kMany = 8; ///< leaves
 
-  void addBoxes(const TriangleTree& tree, std::uint32_t node);
-
   std::vector<KdBounds> boxes_;      ///< of leaves, by the number of the first block
   std::vector<std::uint32_t> begin_; ///< of the leaves of each triangle
   std::vector<std::uint32_t> leaves_;

@@ -122,6 +122,7 @@ public:
 
   std::uint32_t root() const { return root_; }
   const Treelet* treelets() const { return treelets_.data(); }
+  std::size_t numberOfTreelets() const { return treelets_.size(); }
   const TriangleBlock* blocks() const { return blocks_.data(); }
   std::size_t numberOfBlocks() const { return blocks_.size(); }
 
