@@ -98,16 +98,10 @@ std::optional<EnclosingEllipsoid> proposeByCgal(const Points& points)
   {
     return std::nullopt;
   }
-  Matrix3 matrix;
-  Vector3 vector;
-  for (int i = 0; i < 3; ++i)
-  {
-    vector[i] = solved.defining_vector(i);
-    for (int j = 0; j < 3; ++j)
-    {
-      matrix(i, j) = solved.defining_matrix(i, j);
-    }
-  }
+  const Matrix3 matrix = Matrix3::NullaryExpr(
+    [&](Eigen::Index i, Eigen::Index j) { return solved.defining_matrix(i, j); });
+  const Vector3 vector =
+    Vector3::NullaryExpr([&](Eigen::Index i) { return solved.defining_vector(i); });
   const Eigen::LLT<Matrix3> factor(matrix);
   if (!matrix.allFinite() || factor.info() != Eigen::Success)
   {

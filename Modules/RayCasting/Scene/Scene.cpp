@@ -30,14 +30,9 @@ EllipsoidFilter filterOf(const EllipsoidBound& bound)
   const double squared = ball.radius * ball.radius;
   EllipsoidFilter filter;
   filter.scale = scale;
-  for (int row = 0; row < 3; ++row)
-  {
-    filter.center[row] = ball.center[row];
-    for (int column = 0; column < 3; ++column)
-    {
-      filter.roundFromScaled[3 * row + column] = static_cast<float>(map(row, column));
-    }
-  }
+  Eigen::Map<Vector3>{ filter.center } = ball.center;
+  Eigen::Map<Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>{ filter.roundFromScaled } =
+    map.cast<float>();
   filter.squaredRadius =
     static_cast<float>(squared * (1 + 0x1p-6 + 0x1p-34 * condition * condition));
   filter.byDistance = static_cast<float>(0x1p-32 * map.squaredNorm());
