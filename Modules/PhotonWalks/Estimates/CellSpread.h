@@ -149,7 +149,7 @@ private:
   {
     std::shared_ptr<const RigidObject> body;
     std::shared_ptr<const Material> material;
-    Matrix3 shape;             ///< see shapeOf() in the .cpp
+    Matrix3 shape;             ///< see shapeOf()
     std::vector<double> areas; ///< m2
     double area = 0;           ///< of all cells
     unsigned shift = 0;        ///< halvings that take what it received below 2^53 quanta
