@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_CellSpread_h
-#define irradiance_CellSpread_h
+#pragma once
 
 #include "Estimates/ErrorEstimate.h"
 #include "Estimates/SurfaceDiffusion.h"
@@ -258,5 +257,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_FinalGatherEstimator_h
-#define irradiance_FinalGatherEstimator_h
+#pragma once
 
 #include "Estimates/CellEstimate.h"
 #include "Estimates/CellEstimator.h"
@@ -225,5 +224,3 @@ private:
 };
 
 }
-
-#endif

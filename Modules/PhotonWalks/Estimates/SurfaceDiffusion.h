@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SurfaceDiffusion_h
-#define irradiance_SurfaceDiffusion_h
+#pragma once
 
 #include "Estimates/CellDiffusion.h"
 #include "Execution/Execution.h"
@@ -187,5 +186,3 @@ inline std::vector<std::vector<float>> photonShares(
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_AdaptiveTrapezoids_h
-#define irradiance_AdaptiveTrapezoids_h
+#pragma once
 
 #include "Exposure/IntegrationTimes.h"
 
@@ -217,5 +216,3 @@ private:
 };
 
 }
-
-#endif

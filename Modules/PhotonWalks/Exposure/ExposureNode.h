@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_ExposureNode_h
-#define irradiance_ExposureNode_h
+#pragma once
 
 #include "Exposure/IntegrationTimes.h"
 #include "Exposure/ReplicateSums.h"
@@ -172,5 +171,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_ExposureSpread_h
-#define irradiance_ExposureSpread_h
+#pragma once
 
 #include "Estimates/SurfaceDiffusion.h"
 #include "Execution/Execution.h"
@@ -213,5 +212,3 @@ inline void spreadExposure(const ExposedSurface& surface, int bands,
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_IntegrationTimes_h
-#define irradiance_IntegrationTimes_h
+#pragma once
 
 #include <algorithm>
 #include <cmath>
@@ -248,5 +247,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_CellRoles_h
-#define irradiance_CellRoles_h
+#pragma once
 
 #include "DirectLight/DarkSides.h"
 #include "Surfaces/CellShapes.h"
@@ -177,5 +176,3 @@ inline CellShapes darkShapesOf(
 }
 
 }
-
-#endif

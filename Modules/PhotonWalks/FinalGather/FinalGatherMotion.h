@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_FinalGatherMotion_h
-#define irradiance_FinalGatherMotion_h
+#pragma once
 
 #include "FinalGather/FinalGatherScene.h"
 #include "FinalGather/FollowedPaths.h"
@@ -177,5 +176,3 @@ private:
 };
 
 }
-
-#endif

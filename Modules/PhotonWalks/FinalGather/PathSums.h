@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_PathSums_h
-#define irradiance_PathSums_h
+#pragma once
 
 #include "FinalGather/FinalGatherScene.h"
 #include "FinalGather/FollowedPaths.h"
@@ -181,5 +180,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_LeafPhotons_h
-#define irradiance_LeafPhotons_h
+#pragma once
 
 #include "Execution/Execution.h"
 #include "History/WalkHistory.h"
@@ -90,5 +89,3 @@ inline Vector3 modelPoint(
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_NearestPhotons_h
-#define irradiance_NearestPhotons_h
+#pragma once
 
 #include "Photons/Foot.h"
 #include "Photons/LeafPhotons.h"
@@ -118,5 +117,3 @@ double usualRadius(const NearestPhotons& photons, std::uint32_t count);
 double usualDistance(const NearestPhotons& photons);
 
 }
-
-#endif

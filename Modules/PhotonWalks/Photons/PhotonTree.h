@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_PhotonTree_h
-#define irradiance_PhotonTree_h
+#pragma once
 
 #include "History/WalkHistory.h"
 #include "Simd/Prefetch.h"
@@ -244,5 +243,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SeenSurface_h
-#define irradiance_SeenSurface_h
+#pragma once
 
 #include "Meshes/TriangleInSphere.h"
 #include "Photons/Foot.h"
@@ -224,5 +223,3 @@ private:
 };
 
 }
-
-#endif

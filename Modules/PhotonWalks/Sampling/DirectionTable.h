@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_DirectionTable_h
-#define irradiance_DirectionTable_h
+#pragma once
 
 #include "Geometry/Vector.h"
 #include "Sampling/ElementaryFunctions.h"
@@ -104,5 +103,3 @@ private:
 };
 
 }
-
-#endif

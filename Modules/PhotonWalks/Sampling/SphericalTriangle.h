@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SphericalTriangle_h
-#define irradiance_SphericalTriangle_h
+#pragma once
 
 #include "Geometry/Triangle.h"
 #include "Sampling/ElementaryFunctions.h"
@@ -115,5 +114,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_OutgoingRadiance_h
-#define irradiance_OutgoingRadiance_h
+#pragma once
 
 #include "Views/ViewFinalGather.h"
 
@@ -233,5 +232,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_StoredSensors_h
-#define irradiance_StoredSensors_h
+#pragma once
 
 #include "Views/SensorFinalGather.h"
 
@@ -136,5 +135,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_EllipsoidBound_h
-#define irradiance_EllipsoidBound_h
+#pragma once
 
 #include "Ellipsoids/EnclosingEllipsoid.h"
 #include "Geometry/Vector.h"
@@ -98,5 +97,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_PrincipalAxes_h
-#define irradiance_PrincipalAxes_h
+#pragma once
 
 #include "Geometry/Vector.h"
 #include "Progress/CancelPoint.h"
@@ -155,5 +154,3 @@ inline CubeFrame cubeFrame(const std::vector<Vector3>& points, const CancelPoint
 }
 
 }
-
-#endif

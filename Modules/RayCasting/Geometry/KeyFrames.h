@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_KeyFrames_h
-#define irradiance_KeyFrames_h
+#pragma once
 
 #include "Geometry/Vector.h"
 #include "Progress/CancelPoint.h"
@@ -232,5 +231,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_FlatPolygon_h
-#define irradiance_FlatPolygon_h
+#pragma once
 
 #include "Geometry/Triangle.h"
 
@@ -220,5 +219,3 @@ inline std::optional<std::vector<Triangle>> cutQuad(const std::vector<Vector3>& 
 }
 
 }
-
-#endif

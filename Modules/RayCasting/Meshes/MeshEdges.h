@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_MeshEdges_h
-#define irradiance_MeshEdges_h
+#pragma once
 
 #include "Geometry/Triangle.h"
 #include "Progress/CancelPoint.h"
@@ -106,5 +105,3 @@ inline std::vector<MeshEdge> meshEdges(const std::vector<Triangle>& triangles,
 }
 
 }
-
-#endif

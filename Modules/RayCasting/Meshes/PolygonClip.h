@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_PolygonClip_h
-#define irradiance_PolygonClip_h
+#pragma once
 
 #include "Geometry/Triangle.h"
 
@@ -75,5 +74,3 @@ inline Box boundsOfClipped(const Triangle& triangle, const Box& box)
 }
 
 }
-
-#endif

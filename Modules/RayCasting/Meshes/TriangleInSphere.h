@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_TriangleInSphere_h
-#define irradiance_TriangleInSphere_h
+#pragma once
 
 #include "Geometry/Triangle.h"
 
@@ -101,5 +100,3 @@ inline Vector3 closestPoint(const Triangle& triangle)
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_FrontCast_h
-#define irradiance_FrontCast_h
+#pragma once
 
 #include "Scene/FrontDescent.h"
 #include "Scene/Scene.h"
@@ -115,5 +114,3 @@ private:
 };
 
 }
-
-#endif

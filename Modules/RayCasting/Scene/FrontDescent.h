@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_FrontDescent_h
-#define irradiance_FrontDescent_h
+#pragma once
 
 #include "Kernels/FrontStages.h"
 #include "Meshes/TriangleMesh.h"
@@ -149,5 +148,3 @@ private:
 };
 
 }
-
-#endif

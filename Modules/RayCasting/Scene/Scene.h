@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_Scene_h
-#define irradiance_Scene_h
+#pragma once
 
 #include "Ellipsoids/EllipsoidBound.h"
 #include "Geometry/Ray.h"
@@ -171,5 +170,3 @@ private:
 };
 
 }
-
-#endif

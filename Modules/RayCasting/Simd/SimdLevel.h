@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SimdLevel_h
-#define irradiance_SimdLevel_h
+#pragma once
 
 #include <algorithm>
 
@@ -54,6 +53,4 @@ inline void limitSimd(SimdLevel limit)
                                        : name##Plain)(__VA_ARGS__)
 #else
 #define IRRADIANCE_CALL_BEST(name, ...) name##Plain(__VA_ARGS__)
-#endif
-
 #endif

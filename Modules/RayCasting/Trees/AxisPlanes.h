@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_AxisPlanes_h
-#define irradiance_AxisPlanes_h
+#pragma once
 
 #include "Geometry/Triangle.h"
 #include "Progress/CancelPoint.h"
@@ -127,5 +126,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_KdBounds_h
-#define irradiance_KdBounds_h
+#pragma once
 
 #include "Geometry/Vector.h"
 
@@ -109,5 +108,3 @@ inline KdBounds hullOf(const KdItems& items)
 }
 
 }
-
-#endif

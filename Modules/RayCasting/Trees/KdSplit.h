@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_KdSplit_h
-#define irradiance_KdSplit_h
+#pragma once
 
 #include "Trees/KdBounds.h"
 #include "Trees/KdTreeBuilder.h"
@@ -272,5 +271,3 @@ struct KdSplit
 };
 
 }
-
-#endif

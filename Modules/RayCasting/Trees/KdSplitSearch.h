@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_KdSplitSearch_h
-#define irradiance_KdSplitSearch_h
+#pragma once
 
 #include "Trees/KdSplit.h"
 
@@ -228,5 +227,3 @@ private:
 };
 
 }
-
-#endif

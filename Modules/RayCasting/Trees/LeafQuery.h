@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_LeafQuery_h
-#define irradiance_LeafQuery_h
+#pragma once
 
 #include "Trees/TriangleTree.h"
 
@@ -104,5 +103,3 @@ void forEachNear(const TriangleTree& tree, const Box& box, const Visit& visit)
 std::vector<std::uint32_t> trianglesNear(const TriangleTree& tree, const Box& box);
 
 }
-
-#endif

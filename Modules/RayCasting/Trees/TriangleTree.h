@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_TriangleTree_h
-#define irradiance_TriangleTree_h
+#pragma once
 
 #include "Geometry/Triangle.h"
 #include "Geometry/UnitFrame.h"
@@ -147,5 +146,3 @@ private:
 TriangleTree treeOf(const std::vector<Triangle>& triangles, const CancelPoint& cancelPoint = {});
 
 }
-
-#endif
