@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_AutomaticChoice_h
-#define irradiance_AutomaticChoice_h
+#pragma once
 
 #include "Estimates/CellEstimate.h"
 #include "Surfaces/SceneCells.h"
@@ -50,5 +49,3 @@ void chooseByScene(const LeftToScene& left, const SceneObjects& objects, const S
   EstimateSettings& estimate);
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_CellDiffusion_h
-#define irradiance_CellDiffusion_h
+#pragma once
 
 #include "Estimates/CellNeighbours.h"
 
@@ -71,5 +70,3 @@ void flowAvx2(const CellDiffusion::Link* links, std::size_t count, unsigned fiel
   const double* before, double* quanta);
 
 }
-
-#endif

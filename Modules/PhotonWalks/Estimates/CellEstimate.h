@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_CellEstimate_h
-#define irradiance_CellEstimate_h
+#pragma once
 
 #include "DirectLight/DirectPlan.h"
 
@@ -62,5 +61,3 @@ FewestSamples fewestSamplesOf(const EstimateSettings& settings, const FewestSamp
 std::string conflictOf(const EstimateSettings& settings, const WalkSettings& walks);
 
 }
-
-#endif

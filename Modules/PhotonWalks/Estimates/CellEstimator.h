@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_CellEstimator_h
-#define irradiance_CellEstimator_h
+#pragma once
 
 #include "Estimates/ErrorEstimate.h"
 #include "Walks/WalkSets.h"
@@ -104,5 +103,3 @@ std::optional<TargetLever> chooseLever(const TargetMiss& miss, const EstimateRou
   const WalkSets& walks, const CellEstimator& estimator);
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_CellNeighbours_h
-#define irradiance_CellNeighbours_h
+#pragma once
 
 #include "Geometry/Triangle.h"
 #include "Progress/CancelPoint.h"
@@ -42,5 +41,3 @@ std::vector<CellNeighbours> cellNeighbours(const std::vector<Triangle>& triangle
   const CancelPoint& cancelPoint = {});
 
 }
-
-#endif

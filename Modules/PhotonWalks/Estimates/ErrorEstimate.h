@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_ErrorEstimate_h
-#define irradiance_ErrorEstimate_h
+#pragma once
 
 #include "Execution/Execution.h"
 #include "Tally/CellSums.h"
@@ -140,5 +139,3 @@ private:
 };
 
 }
-
-#endif

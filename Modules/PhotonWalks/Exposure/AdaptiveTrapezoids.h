@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_AdaptiveTrapezoids_h
-#define irradiance_AdaptiveTrapezoids_h
+#pragma once
 
 #include "Exposure/IntegrationTimes.h"
 
@@ -45,14 +44,61 @@ public:
   }
 
   bool isDone() const { return sums_ != nullptr; }
-  /// The time that is needed next; not if done.
-  double nextTime() const { return nextTimes(1).front(); }
   /// The times that are needed next, in order, as far as they are known: 1 to `most`; not if done.
-  std::vector<double> nextTimes(std::size_t most) const;
-  /// Takes the sample of nextTime(). `measure(three samples)`: what they bring to each block, see
+  std::vector<double> nextTimes(std::size_t most) const
+  {
+    std::vector<double> next;
+    for (std::size_t i = times_.size(); i < firstTimes_.size() && next.size() < most; ++i)
+    {
+      next.push_back(firstTimes_[i]);
+    }
+    for (std::size_t i = 0; i < tasks_.size() && next.size() < most; ++i)
+    {
+      next.push_back(middleOf(tasks_[i].start->time, tasks_[i].end->time));
+    }
+    return next;
+  }
+  /// Takes the sample of the next time. `measure(three samples)`: what they bring to each block, see
   /// IntervalMeasure.
   template <class Measure>
-  void take(Sample sample, const Measure& measure);
+  void take(Sample sample, const Measure& measure)
+  {
+    const auto node = std::make_shared<const Sample>(std::move(sample));
+    const bool isFirst = times_.size() < firstTimes_.size();
+    times_.push_back(node->time);
+    const double known =
+      static_cast<double>(times_.size()) / static_cast<double>(firstTimes_.size());
+    progress_ = std::max(progress_, kFirstShare * std::min(1.0, known));
+    if (!isFirst)
+    {
+      tasks_.front().middle = node;
+      addPair(tasks_.front(), measure);
+      tasks_.pop_front();
+    }
+    else
+    {
+      recent_.push_back(node);
+      if (recent_.size() == 3)
+      {
+        addPair(
+          { recent_[0], recent_[1], recent_[2], firstSpans_[times_.size() / 2 - 1] }, measure);
+        recent_ = { node };
+      }
+    }
+    if (times_.size() == firstTimes_.size())
+    {
+      firstExcess_ = halving_.excess();
+      recent_.clear();
+    }
+    for (const std::size_t id : halving_.takeSettled())
+    {
+      settle(id);
+    }
+    if (times_.size() >= firstTimes_.size() && tasks_.empty())
+    {
+      halveWorst();
+    }
+  }
   /// From 0 to 1.
   double progress() const { return progress_; }
   const TimeHalving& halving() const { return halving_; }
@@ -169,60 +215,4 @@ private:
   std::unique_ptr<Sums> sums_; ///< over all; null until it is done
 };
 
-template <class Sample, class Sums>
-std::vector<double> AdaptiveTrapezoids<Sample, Sums>::nextTimes(std::size_t most) const
-{
-  std::vector<double> next;
-  for (std::size_t i = times_.size(); i < firstTimes_.size() && next.size() < most; ++i)
-  {
-    next.push_back(firstTimes_[i]);
-  }
-  for (std::size_t i = 0; i < tasks_.size() && next.size() < most; ++i)
-  {
-    next.push_back(middleOf(tasks_[i].start->time, tasks_[i].end->time));
-  }
-  return next;
 }
-
-template <class Sample, class Sums>
-template <class Measure>
-void AdaptiveTrapezoids<Sample, Sums>::take(Sample sample, const Measure& measure)
-{
-  const auto node = std::make_shared<const Sample>(std::move(sample));
-  const bool isFirst = times_.size() < firstTimes_.size();
-  times_.push_back(node->time);
-  const double known = static_cast<double>(times_.size()) / static_cast<double>(firstTimes_.size());
-  progress_ = std::max(progress_, kFirstShare * std::min(1.0, known));
-  if (!isFirst)
-  {
-    tasks_.front().middle = node;
-    addPair(tasks_.front(), measure);
-    tasks_.pop_front();
-  }
-  else
-  {
-    recent_.push_back(node);
-    if (recent_.size() == 3)
-    {
-      addPair({ recent_[0], recent_[1], recent_[2], firstSpans_[times_.size() / 2 - 1] }, measure);
-      recent_ = { node };
-    }
-  }
-  if (times_.size() == firstTimes_.size())
-  {
-    firstExcess_ = halving_.excess();
-    recent_.clear();
-  }
-  for (const std::size_t id : halving_.takeSettled())
-  {
-    settle(id);
-  }
-  if (times_.size() >= firstTimes_.size() && tasks_.empty())
-  {
-    halveWorst();
-  }
-}
-
-}
-
-#endif

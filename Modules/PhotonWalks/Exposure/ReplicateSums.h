@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_ReplicateSums_h
-#define irradiance_ReplicateSums_h
+#pragma once
 
 #include <cstddef>
 #include <memory>
@@ -90,5 +89,3 @@ private:
 };
 
 }
-
-#endif

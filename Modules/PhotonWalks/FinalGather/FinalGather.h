@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_FinalGather_h
-#define irradiance_FinalGather_h
+#pragma once
 
 #include "Execution/Execution.h"
 #include "FinalGather/FinalGatherMotion.h"
@@ -97,5 +96,3 @@ private:
 };
 
 }
-
-#endif

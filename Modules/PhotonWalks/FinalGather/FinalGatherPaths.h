@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_FinalGatherPaths_h
-#define irradiance_FinalGatherPaths_h
+#pragma once
 
 #include "Execution/Execution.h"
 #include "FinalGather/FinalGatherScene.h"
@@ -126,5 +125,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_FinalGatherScene_h
-#define irradiance_FinalGatherScene_h
+#pragma once
 
 #include "DirectLight/PointDirectLight.h"
 #include "FinalGather/CellRoles.h"
@@ -103,5 +102,3 @@ inline double shareOfRound(std::size_t round, std::size_t rounds)
 }
 
 }
-
-#endif

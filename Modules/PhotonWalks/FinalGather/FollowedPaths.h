@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_FollowedPaths_h
-#define irradiance_FollowedPaths_h
+#pragma once
 
 #include "DirectLight/PointDirectLight.h"
 
@@ -142,5 +141,3 @@ private:
 };
 
 }
-
-#endif

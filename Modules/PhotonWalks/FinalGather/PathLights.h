@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_PathLights_h
-#define irradiance_PathLights_h
+#pragma once
 
 #include "FinalGather/FinalGatherScene.h"
 #include "Walks/WalkSets.h"
@@ -70,5 +69,3 @@ double lampWeight(const FinalGatherScene& scene, const Ray& ray, double density,
   const TriangleId& lamp, const Vector3& place);
 
 }
-
-#endif

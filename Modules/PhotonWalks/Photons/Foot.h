@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_Foot_h
-#define irradiance_Foot_h
+#pragma once
 
 #include "Geometry/Ray.h"
 #include "Photons/PlacedTree.h"
@@ -69,5 +68,3 @@ std::optional<Foot> findFoot(const SceneObjects& objects, const Surfaces& surfac
   const std::vector<PlacedTree>& placed, const Sensor& sensor, double maximumDistance);
 
 }
-
-#endif

@@ -11,19 +11,6 @@
 namespace irradiance
 {
 
-LeafPhotons::Tree::Tree(std::shared_ptr<const RigidObject> itsBody)
-  : body(std::move(itsBody))
-  , table(body->tree())
-  , leaves(body->tree().numberOfBlocks())
-{
-}
-
-std::size_t LeafPhotons::Tree::size() const
-{
-  return std::accumulate(leaves.begin(), leaves.end(), std::size_t{},
-    [](std::size_t sum, const PhotonTree& leaf) { return sum + leaf.size(); });
-}
-
 /**
  * Binds photons in two passes. In the first, units of walks or of changes find the leaves of their
  * photons, and sort these by parts of the trees; in the second, parts take their photons from all

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_LeafPhotons_h
-#define irradiance_LeafPhotons_h
+#pragma once
 
 #include "Execution/Execution.h"
 #include "History/WalkHistory.h"
@@ -8,6 +7,8 @@
 #include "Surfaces/SceneObjects.h"
 
 #include <memory>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace irradiance
@@ -54,8 +55,18 @@ private:
   struct Tree
   {
     Tree() = default;
-    explicit Tree(std::shared_ptr<const RigidObject> itsBody);
-    std::size_t size() const; ///< photons
+    explicit Tree(std::shared_ptr<const RigidObject> itsBody)
+      : body(std::move(itsBody))
+      , table(body->tree())
+      , leaves(body->tree().numberOfBlocks())
+    {
+    }
+    /// Photons.
+    std::size_t size() const
+    {
+      return std::accumulate(leaves.begin(), leaves.end(), std::size_t{},
+        [](std::size_t sum, const PhotonTree& leaf) { return sum + leaf.size(); });
+    }
 
     std::shared_ptr<const RigidObject> body;
     LeafTable table;
@@ -78,5 +89,3 @@ inline Vector3 modelPoint(
 }
 
 }
-
-#endif

@@ -58,7 +58,10 @@ public:
       nodes_.pop_back();
       if (node.link == kObject)
       {
-        push({ node.distance, see(node.view), owner_.leaves_.tree(node.view).root() });
+        const std::uint32_t object = node.view, view = static_cast<std::uint32_t>(views_.size());
+        views_.push_back(
+          { object, owner_.trees_[object].see(sensor_), owner_.seen(object, foot_) });
+        push({ node.distance, view, owner_.leaves_.tree(object).root() });
       }
       else
       {
@@ -113,13 +116,6 @@ private:
   {
     nodes_.push_back(node);
     std::push_heap(nodes_.begin(), nodes_.end());
-  }
-
-  /// Returns the object's view.
-  std::uint32_t see(std::uint32_t object)
-  {
-    views_.push_back({ object, owner_.trees_[object].see(sensor_), owner_.seen(object, foot_) });
-    return static_cast<std::uint32_t>(views_.size() - 1);
   }
 
   void open(const Node& node)
@@ -311,8 +307,12 @@ NearestPhotons::NearestPhotons(const LeafPhotons& leaves, const Surfaces& surfac
 
 std::optional<Foot> NearestPhotons::footOf(const Sensor& sensor, double maximumDistance) const
 {
-  return isTooFar(sensor) ? std::nullopt
-                          : findFoot(objects_, surfaces_, trees_, sensor, maximumDistance);
+  // In sizes of the scene. From there a disc of a fiftieth of the scene is as far as its middle.
+  constexpr double kFarthest = 0x1p20;
+  const Vector3 away = (bounds_.lower - sensor.position).cwiseMax(sensor.position - bounds_.upper);
+  return away.maxCoeff() * searchUnitsPerWorldUnit_ > kFarthest
+    ? std::nullopt
+    : findFoot(objects_, surfaces_, trees_, sensor, maximumDistance);
 }
 
 NearPhotons NearestPhotons::find(const Foot& foot, std::size_t count, double maximumRadius) const

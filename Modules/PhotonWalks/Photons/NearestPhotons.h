@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_NearestPhotons_h
-#define irradiance_NearestPhotons_h
+#pragma once
 
 #include "Photons/Foot.h"
 #include "Photons/LeafPhotons.h"
@@ -73,15 +72,6 @@ private:
   {
     return { objects_[object], surfaces_.of(object), trees_[object], foot };
   }
-  bool isTooFar(const Sensor& sensor) const
-  {
-    const Vector3 away =
-      (bounds_.lower - sensor.position).cwiseMax(sensor.position - bounds_.upper);
-    return away.maxCoeff() * searchUnitsPerWorldUnit_ > kFarthest;
-  }
-
-  /// In sizes of the scene. From there a disc of a fiftieth of the scene is as far as its middle.
-  static constexpr double kFarthest = 0x1p20;
 
   const LeafPhotons& leaves_;
   const Surfaces& surfaces_;
@@ -127,5 +117,3 @@ double usualRadius(const NearestPhotons& photons, std::uint32_t count);
 double usualDistance(const NearestPhotons& photons);
 
 }
-
-#endif

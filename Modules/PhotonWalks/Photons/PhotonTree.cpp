@@ -135,13 +135,6 @@ std::vector<PhotonTree::Place> PhotonTree::endsOf(
   return ends;
 }
 
-void PhotonTree::empty()
-{
-  nodes_.clear();
-  packs_.clear();
-  size_ = 0;
-}
-
 bool PhotonTree::change(const Photons& gone, const Photons& arrived)
 {
   if (2 * std::max(gone.size(), arrived.size()) > size_)
@@ -157,7 +150,9 @@ bool PhotonTree::change(const Photons& gone, const Photons& arrived)
   {
     return false;
   }
-  if (insert(arrived) > kDeepest || isWasteful())
+  constexpr std::size_t kFewPacks = 4;
+  const bool isTooDeep = insert(arrived) > kDeepest;
+  if (isTooDeep || packs_.size() > kFewPacks + 2 * (size_ / kUsual))
   {
     build(photons());
   }
@@ -193,13 +188,7 @@ int PhotonTree::insert(const Photons& photons)
     const Place place = endOf(photons[i], ends[i]);
     deepest = std::max(deepest, place.depth + 1);
     const Node end = nodes_[place.node];
-    std::size_t pack = end.first();
-    const std::size_t behind = pack + end.packs();
-    while (pack < behind && !packs_[pack].add(photons[i]))
-    {
-      ++pack;
-    }
-    if (pack == behind)
+    if (!anyPack(end, [&](PhotonPack& pack) { return pack.add(photons[i]); }))
     {
       Photons crowd;
       crowd.reserve(end.packs() * PhotonPack::kSize + 1);
@@ -219,26 +208,14 @@ bool PhotonTree::remove(const Photons& photons)
     endsOf(photons, [](const PhotonPack& pack) { pack.prefetchForRemoval(); });
   for (std::size_t i = 0; i < photons.size(); ++i)
   {
-    const Node& end = nodes_[ends[i].node];
-    std::size_t pack = end.first();
-    const std::size_t behind = pack + end.packs();
-    while (pack < behind && !packs_[pack].remove(photons[i].reference()))
-    {
-      ++pack;
-    }
-    if (pack == behind)
+    if (!anyPack(nodes_[ends[i].node],
+          [&](PhotonPack& pack) { return pack.remove(photons[i].reference()); }))
     {
       return false;
     }
     --size_;
   }
   return true;
-}
-
-bool PhotonTree::isWasteful() const
-{
-  constexpr std::size_t kFewPacks = 4;
-  return packs_.size() > kFewPacks + 2 * (size_ / kUsual);
 }
 
 void PhotonTree::build(Photons photons)

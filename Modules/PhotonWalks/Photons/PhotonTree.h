@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_PhotonTree_h
-#define irradiance_PhotonTree_h
+#pragma once
 
 #include "History/WalkHistory.h"
 #include "Simd/Prefetch.h"
@@ -129,7 +128,12 @@ public:
   }
 
   /// All photons leave; the memory stays.
-  void empty();
+  void empty()
+  {
+    nodes_.clear();
+    packs_.clear();
+    size_ = 0;
+  }
   /// Photons leave, placed as they were when they arrived, then others arrive. False if one that is
   /// to leave is not here.
   bool change(const std::vector<LeafPhoton>& gone, const std::vector<LeafPhoton>& arrived);
@@ -219,7 +223,13 @@ private:
   bool remove(const Photons& photons);
   Photons photonsExcept(const Photons& gone) const;
   void addTo(Photons& photons, const Node& end) const;
-  bool isWasteful() const;
+  /// Calls take(pack) for the packs of an end until one returns true; false if none does.
+  template <class Take>
+  bool anyPack(const Node& end, const Take& take)
+  {
+    PhotonPack* const first = packs_.data() + end.first();
+    return std::any_of(first, first + end.packs(), take);
+  }
   /// From nothing.
   void build(Photons photons);
   /// `spare`: a pack that is free to be used, or kNoPack.
@@ -233,5 +243,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_PlacedTree_h
-#define irradiance_PlacedTree_h
+#pragma once
 
 #include "Geometry/UnitFrame.h"
 #include "Photons/Sensor.h"
@@ -103,5 +102,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_Sensor_h
-#define irradiance_Sensor_h
+#pragma once
 
 #include "Geometry/Triangle.h"
 
@@ -90,5 +89,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_DirectionSampling_h
-#define irradiance_DirectionSampling_h
+#pragma once
 
 #include "Geometry/Vector.h"
 #include "Sampling/ElementaryFunctions.h"
@@ -84,5 +83,3 @@ inline Vector3 sampleTriangle(const std::array<double, 2>& u)
 }
 
 }
-
-#endif

@@ -4,9 +4,6 @@
 #include "Progress/InputError.h"
 #include "Sampling/WeightChoice.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <utility>
 
 namespace irradiance

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_DirectionTable_h
-#define irradiance_DirectionTable_h
+#pragma once
 
 #include "Geometry/Vector.h"
 #include "Sampling/ElementaryFunctions.h"
@@ -42,7 +41,35 @@ public:
   /// Calls visit(direction, weight) for each part of a grid of a degree or less where the function
   /// is not 0: with the middle of the part, and the integral over it by the midpoint rule.
   template <class Visit>
-  void forEachPart(const Visit& visit) const;
+  void forEachPart(const Visit& visit) const
+  {
+    constexpr double kWidest = kPi / 180;
+    const auto partsOf = [](double width) { return static_cast<int>(std::ceil(width / kWidest)); };
+    const std::size_t steps = isRound() ? 1 : azimuths_.size() - 1;
+    for (std::size_t step = 0; step < steps; ++step)
+    {
+      const std::size_t next = isRound() ? step : step + 1;
+      const double turn = isRound() ? 2 * kPi : azimuths_[next] - azimuths_[step];
+      const int turns = partsOf(turn);
+      for (std::size_t angle = 0; angle + 1 < polar_.size(); ++angle)
+      {
+        const double rise = polar_[angle + 1] - polar_[angle];
+        const int rises = partsOf(rise);
+        const double largest =
+          std::max({ at(step, angle), at(step, angle + 1), at(next, angle), at(next, angle + 1) });
+        for (int i = 0; largest > 0 && i < turns * rises; ++i)
+        {
+          const int row = i / turns;
+          const double up = (row + 0.5) / rises, along = (i % turns + 0.5) / turns;
+          const double polar = polar_[angle] + up * rise;
+          const double value = between(between(at(step, angle), at(step, angle + 1), up),
+            between(at(next, angle), at(next, angle + 1), up), along);
+          visit(direction(polar, azimuths_[step] + along * turn),
+            value * std::sin(polar) * (rise / rises) * (turn / turns));
+        }
+      }
+    }
+  }
 
   friend bool operator==(const DirectionTable& a, const DirectionTable& b)
   {
@@ -75,37 +102,4 @@ private:
   std::vector<std::uint32_t> angleGuide_, planeGuide_; ///< see addGuide()
 };
 
-template <class Visit>
-void DirectionTable::forEachPart(const Visit& visit) const
-{
-  constexpr double kWidest = kPi / 180;
-  const auto partsOf = [](double width) { return static_cast<int>(std::ceil(width / kWidest)); };
-  const std::size_t steps = isRound() ? 1 : azimuths_.size() - 1;
-  for (std::size_t step = 0; step < steps; ++step)
-  {
-    const std::size_t next = isRound() ? step : step + 1;
-    const double turn = isRound() ? 2 * kPi : azimuths_[next] - azimuths_[step];
-    const int turns = partsOf(turn);
-    for (std::size_t angle = 0; angle + 1 < polar_.size(); ++angle)
-    {
-      const double rise = polar_[angle + 1] - polar_[angle];
-      const int rises = partsOf(rise);
-      const double largest =
-        std::max({ at(step, angle), at(step, angle + 1), at(next, angle), at(next, angle + 1) });
-      for (int i = 0; largest > 0 && i < turns * rises; ++i)
-      {
-        const int row = i / turns;
-        const double up = (row + 0.5) / rises, along = (i % turns + 0.5) / turns;
-        const double polar = polar_[angle] + up * rise;
-        const double value = between(between(at(step, angle), at(step, angle + 1), up),
-          between(at(next, angle), at(next, angle + 1), up), along);
-        visit(direction(polar, azimuths_[step] + along * turn),
-          value * std::sin(polar) * (rise / rises) * (turn / turns));
-      }
-    }
-  }
 }
-
-}
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_ElementaryFunctions_h
-#define irradiance_ElementaryFunctions_h
+#pragma once
 
 #include <algorithm>
 #include <cmath>
@@ -165,5 +164,3 @@ inline double powUnit(double base, double exponent)
 }
 
 }
-
-#endif

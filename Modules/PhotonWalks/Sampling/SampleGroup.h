@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SampleGroup_h
-#define irradiance_SampleGroup_h
+#pragma once
 
 #include "Sampling/SobolSequence.h"
 
@@ -158,5 +157,3 @@ private:
 };
 
 }
-
-#endif

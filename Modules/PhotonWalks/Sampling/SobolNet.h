@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SobolNet_h
-#define irradiance_SobolNet_h
+#pragma once
 
 #include "Sampling/SobolPoint.h"
 
@@ -101,5 +100,3 @@ inline constexpr SobolNet::Directions SobolNet::kThird = SobolNet::directions(2,
 inline constexpr SobolNet::Directions SobolNet::kFourth = SobolNet::directions(3, 1, { 1, 3, 1 });
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SobolPoint_h
-#define irradiance_SobolPoint_h
+#pragma once
 
 #include "Sampling/ElementaryFunctions.h"
 
@@ -107,5 +106,3 @@ inline std::array<double, 2> otherSquare(const std::array<double, 2>& u)
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SobolSequence_h
-#define irradiance_SobolSequence_h
+#pragma once
 
 #include "Sampling/SobolPoint.h"
 #include "Sampling/WalkPlan.h"
@@ -88,5 +87,3 @@ private:
 };
 
 }
-
-#endif

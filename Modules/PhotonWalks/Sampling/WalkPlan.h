@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_WalkPlan_h
-#define irradiance_WalkPlan_h
+#pragma once
 
 #include <algorithm>
 #include <cstddef>
@@ -186,5 +185,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_WeightChoice_h
-#define irradiance_WeightChoice_h
+#pragma once
 
 #include <algorithm>
 #include <cmath>
@@ -68,5 +67,3 @@ inline double sampleLinear(double u, double first, double last)
 }
 
 }
-
-#endif

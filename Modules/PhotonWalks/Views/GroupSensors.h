@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_GroupSensors_h
-#define irradiance_GroupSensors_h
+#pragma once
 
 #include "LightGroups.h"
 #include "Views/StoredSensors.h"
@@ -70,5 +69,3 @@ private:
 };
 
 }
-
-#endif

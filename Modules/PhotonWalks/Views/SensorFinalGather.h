@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SensorFinalGather_h
-#define irradiance_SensorFinalGather_h
+#pragma once
 
 #include "FinalGather/FinalGatherMotion.h"
 #include "Photons/Sensor.h"
@@ -115,5 +114,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_ViewFinalGather_h
-#define irradiance_ViewFinalGather_h
+#pragma once
 
 #include "FinalGather/FinalGatherPaths.h"
 #include "FinalGather/PathLights.h"
@@ -106,5 +105,3 @@ inline double standardErrorOf(const std::vector<double>& parts)
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_WalkPaths_h
-#define irradiance_WalkPaths_h
+#pragma once
 
 #include "IrradianceEngine.h"
 #include "Walks/WalkSets.h"
@@ -70,5 +69,3 @@ private:
 };
 
 }
-
-#endif

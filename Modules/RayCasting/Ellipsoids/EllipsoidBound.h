@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_EllipsoidBound_h
-#define irradiance_EllipsoidBound_h
+#pragma once
 
 #include "Ellipsoids/EnclosingEllipsoid.h"
 #include "Geometry/Vector.h"
@@ -27,7 +26,27 @@ public:
 
   /// True only if no point of the closed segment lies within `worldPad` of the moved ellipsoid.
   /// False is always safe, and is the answer when a coordinate is not finite.
-  bool rejects(const Vector3& from, const Vector3& to) const noexcept;
+  bool rejects(const Vector3& from, const Vector3& to) const noexcept
+  {
+    const Vector3 p = from - center_;
+    const Vector3 q = to - center_;
+    const Vector3 start = roundFromWorld_ * p;
+    const Vector3 along = roundFromWorld_ * q - start;
+    const double squaredLength = along.squaredNorm();
+    // A segment without length gives NaN here, which max turns into 0.
+    const double position = std::min(1.0, std::max(0.0, -start.dot(along) / squaredLength));
+    // The best n is the point of the segment nearest to the centre, in the space that W maps to.
+    const Vector3 n = start + position * along;
+    if (isSeparated(p, q, n))
+    {
+      return true;
+    }
+    // Near a flat body a segment is very long in that space, and rounding tilts n towards it: fix n.
+    const double tilt = n.dot(along);
+    const bool mayHelp =
+      position > 0.0 && position < 1.0 && std::abs(tilt) > kNegligibleTilt * n.squaredNorm();
+    return mayHelp && isSeparated(p, q, n - (tilt / squaredLength) * along);
+  }
 
   /// Every point x within `worldPad` of the moved ellipsoid has |roundFromWorld (x - center)| <=
   /// radius. The map roundFromWorld makes the ellipsoid nearly a ball.
@@ -45,7 +64,25 @@ public:
   }
 
 private:
-  bool isSeparated(const Vector3& p, const Vector3& q, const Vector3& n) const noexcept;
+  /// The certificate. Let W = roundFromWorld_ and n any vector. The plane with normal N = W^T n has
+  /// the ellipsoid, thickened by the pad, on one side; a point x lies strictly on the other if
+  ///     N . (x - center) - |N| pad > radius |n|.
+  /// If this holds for both ends of a segment, it holds for the whole segment. The proof is valid for
+  /// any n, so n need not be accurate. Only the inequality itself is guarded against rounding;
+  /// Documentation/Theory.md has the whole argument.
+  bool isSeparated(const Vector3& p, const Vector3& q, const Vector3& n) const noexcept
+  {
+    const Vector3 normal = roundFromWorld_.transpose() * n;
+    // The 1-norm is no less than |normal| and needs no square root.
+    const double length = normal.lpNorm<1>();
+    const double gapP = normal.dot(p) - length * (pad_ + kRounding * p.lpNorm<1>());
+    const double gapQ = normal.dot(q) - length * (pad_ + kRounding * q.lpNorm<1>());
+    const double gap = std::min(gapP, gapQ);
+    // Beyond these limits, or with a NaN, a product may have underflowed or overflowed.
+    const bool isInRange =
+      (gapP > kSmallest) & (gapQ > kSmallest) & (gapP < kLargest) & (gapQ < kLargest);
+    return isInRange & (gap * gap > radiusSquared_ * n.squaredNorm());
+  }
 
   static constexpr double kNegligibleTilt = 0x1p-10;
   static constexpr double kRounding = 0x1p-48; // 32 units in the last place
@@ -59,49 +96,4 @@ private:
   Box worldBox_;
 };
 
-// The certificate. Let W = roundFromWorld_ and n any vector. The plane with normal N = W^T n has
-// the ellipsoid, thickened by the pad, on one side; a point x lies strictly on the other if
-//     N . (x - center) - |N| pad > radius |n|.
-// If this holds for both ends of a segment, it holds for the whole segment. The proof is valid for
-// any n, so n need not be accurate. Only the inequality itself is guarded against rounding;
-// Documentation/Theory.md has the whole argument.
-inline bool EllipsoidBound::isSeparated(
-  const Vector3& p, const Vector3& q, const Vector3& n) const noexcept
-{
-  const Vector3 normal = roundFromWorld_.transpose() * n;
-  // The 1-norm is no less than |normal| and needs no square root.
-  const double length = normal.lpNorm<1>();
-  const double gapP = normal.dot(p) - length * (pad_ + kRounding * p.lpNorm<1>());
-  const double gapQ = normal.dot(q) - length * (pad_ + kRounding * q.lpNorm<1>());
-  const double gap = std::min(gapP, gapQ);
-  // Beyond these limits, or with a NaN, a product may have underflowed or overflowed.
-  const bool isInRange =
-    (gapP > kSmallest) & (gapQ > kSmallest) & (gapP < kLargest) & (gapQ < kLargest);
-  return isInRange & (gap * gap > radiusSquared_ * n.squaredNorm());
 }
-
-// The best n is the point of the segment nearest to the centre, in the space that W maps to.
-inline bool EllipsoidBound::rejects(const Vector3& from, const Vector3& to) const noexcept
-{
-  const Vector3 p = from - center_;
-  const Vector3 q = to - center_;
-  const Vector3 start = roundFromWorld_ * p;
-  const Vector3 along = roundFromWorld_ * q - start;
-  const double squaredLength = along.squaredNorm();
-  // A segment without length gives NaN here, which max turns into 0.
-  const double position = std::min(1.0, std::max(0.0, -start.dot(along) / squaredLength));
-  const Vector3 n = start + position * along;
-  if (isSeparated(p, q, n))
-  {
-    return true;
-  }
-  // Near a flat body a segment is very long in that space, and rounding tilts n towards it: fix n.
-  const double tilt = n.dot(along);
-  const bool mayHelp =
-    position > 0.0 && position < 1.0 && std::abs(tilt) > kNegligibleTilt * n.squaredNorm();
-  return mayHelp && isSeparated(p, q, n - (tilt / squaredLength) * along);
-}
-
-}
-
-#endif

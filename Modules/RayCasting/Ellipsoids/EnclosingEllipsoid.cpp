@@ -65,12 +65,8 @@ void requireUsable(const Points& points, ThrottledCancelPoint& pace)
 Points fullDimensional(const Points& active, const CubeFrame& frame)
 {
   Points points = active;
-  Vector3 mean = Vector3::Zero();
-  for (const Vector3& point : active)
-  {
-    mean += point;
-  }
-  mean /= static_cast<double>(active.size());
+  const Vector3 mean = std::accumulate(active.begin(), active.end(), Vector3(Vector3::Zero())) /
+    static_cast<double>(active.size());
   for (int axis = 0; axis < 3; ++axis)
   {
     if (frame.isFlat[axis])
@@ -102,16 +98,10 @@ std::optional<EnclosingEllipsoid> proposeByCgal(const Points& points)
   {
     return std::nullopt;
   }
-  Matrix3 matrix;
-  Vector3 vector;
-  for (int i = 0; i < 3; ++i)
-  {
-    vector[i] = solved.defining_vector(i);
-    for (int j = 0; j < 3; ++j)
-    {
-      matrix(i, j) = solved.defining_matrix(i, j);
-    }
-  }
+  const Matrix3 matrix = Matrix3::NullaryExpr(
+    [&](Eigen::Index i, Eigen::Index j) { return solved.defining_matrix(i, j); });
+  const Vector3 vector =
+    Vector3::NullaryExpr([&](Eigen::Index i) { return solved.defining_vector(i); });
   const Eigen::LLT<Matrix3> factor(matrix);
   if (!matrix.allFinite() || factor.info() != Eigen::Success)
   {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_EnclosingEllipsoid_h
-#define irradiance_EnclosingEllipsoid_h
+#pragma once
 
 #include "Geometry/Vector.h"
 #include "Progress/CancelPoint.h"
@@ -32,5 +31,3 @@ EnclosingEllipsoid encloseByEllipsoid(
   const std::vector<Vector3>& points, const CancelPoint& cancelPoint = {});
 
 }
-
-#endif

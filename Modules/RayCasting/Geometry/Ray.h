@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_Ray_h
-#define irradiance_Ray_h
+#pragma once
 
 #include "Geometry/Vector.h"
 
@@ -65,5 +64,3 @@ inline Vector3 weightsOf(const Hit& hit)
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_Triangle_h
-#define irradiance_Triangle_h
+#pragma once
 
 #include "Geometry/Vector.h"
 
@@ -36,5 +35,3 @@ inline Triangle transformed(const AffineMap& map, const Triangle& triangle)
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_TriangleIntersection_h
-#define irradiance_TriangleIntersection_h
+#pragma once
 
 #include "Geometry/Triangle.h"
 
@@ -131,5 +130,3 @@ private:
 };
 
 }
-
-#endif

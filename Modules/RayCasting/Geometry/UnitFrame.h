@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_UnitFrame_h
-#define irradiance_UnitFrame_h
+#pragma once
 
 #include "Geometry/Vector.h"
 
@@ -37,5 +36,3 @@ struct UnitFrame
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_Vector_h
-#define irradiance_Vector_h
+#pragma once
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -82,5 +81,3 @@ inline Box movedBox(const AffineMap& map, const Box& box)
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_BodyBalls_h
-#define irradiance_BodyBalls_h
+#pragma once
 
 #include "Geometry/UnitFrame.h"
 
@@ -87,5 +86,3 @@ struct NearRays
 };
 
 }
-
-#endif

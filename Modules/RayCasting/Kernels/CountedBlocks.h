@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_CountedBlocks_h
-#define irradiance_CountedBlocks_h
+#pragma once
 
 #include <cstdint>
 
@@ -24,5 +23,3 @@ constexpr std::uint64_t* countedBlocks()
 #endif
 
 }
-
-#endif

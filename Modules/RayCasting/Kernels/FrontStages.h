@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_FrontStages_h
-#define irradiance_FrontStages_h
+#pragma once
 
 #include "Geometry/TriangleIntersection.h"
 #include "Kernels/BodyBalls.h"
@@ -138,5 +137,3 @@ void searchExactly(
   const TriangleTree& tree, const TreeRays& rays, std::uint32_t ray, FrontTester& tester);
 
 }
-
-#endif

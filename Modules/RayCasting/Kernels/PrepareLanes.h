@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_PrepareLanes_h
-#define irradiance_PrepareLanes_h
+#pragma once
 
 #include "Kernels/TreeQuery.h"
 #include "Trees/KdBounds.h"
@@ -221,5 +220,3 @@ private:
 };
 
 }
-
-#endif

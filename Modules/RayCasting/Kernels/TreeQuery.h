@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_TreeQuery_h
-#define irradiance_TreeQuery_h
+#pragma once
 
 #include "Simd/Prefetch.h"
 #include "Trees/TriangleTree.h"
@@ -169,5 +168,3 @@ struct FrontSearches
 };
 
 }
-
-#endif

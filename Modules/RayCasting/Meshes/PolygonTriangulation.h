@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_PolygonTriangulation_h
-#define irradiance_PolygonTriangulation_h
+#pragma once
 
 #include "Meshes/TriangleMesh.h"
 
@@ -24,5 +23,3 @@ namespace irradiance
   const std::vector<Vector3>& corners, std::vector<Triangle>& triangles);
 
 }
-
-#endif

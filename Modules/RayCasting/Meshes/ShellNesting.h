@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_ShellNesting_h
-#define irradiance_ShellNesting_h
+#pragma once
 
 #include "Meshes/SolidSides.h"
 
@@ -27,5 +26,3 @@ void markRooms(std::vector<Shell>& shells, const std::vector<std::uint32_t>& aro
 bool holds(const Box& outer, const Box& inner);
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SolidSides_h
-#define irradiance_SolidSides_h
+#pragma once
 
 #include "Meshes/TriangleMesh.h"
 #include "Progress/CancelPoint.h"
@@ -62,5 +61,3 @@ SolidSides solidSides(const std::vector<Triangle>& triangles,
   const CancelPoint& cancelPoint);
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SurfacePoint_h
-#define irradiance_SurfacePoint_h
+#pragma once
 
 #include "Geometry/Triangle.h"
 
@@ -48,5 +47,3 @@ struct alignas(64) SurfaceRecord
 static_assert(sizeof(SurfaceRecord) == 128);
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_TriangleMesh_h
-#define irradiance_TriangleMesh_h
+#pragma once
 
 #include "Meshes/SurfacePoint.h"
 #include "Progress/CancelPoint.h"
@@ -65,5 +64,3 @@ private:
 };
 
 }
-
-#endif

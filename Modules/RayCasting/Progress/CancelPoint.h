@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_CancelPoint_h
-#define irradiance_CancelPoint_h
+#pragma once
 
 #include <algorithm>
 #include <cstddef>
@@ -59,5 +58,3 @@ void assignPaced(
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_InputError_h
-#define irradiance_InputError_h
+#pragma once
 
 #include <locale>
 #include <sstream>
@@ -46,5 +45,3 @@ inline std::string text(double value)
 }
 
 }
-
-#endif

@@ -88,17 +88,6 @@ void FrontCast::cast(const Scene& scene, const FrontTriangles& triangles, const 
   }
 }
 
-void FrontCast::castDynamic(
-  const Scene& scene, const FrontTriangles& triangles, const TreeRays& rays)
-{
-  castGroup(scene, scene.dynamic_, triangles, rays);
-}
-
-void FrontCast::castMoved(const Scene& scene, const FrontTriangles& triangles, const TreeRays& rays)
-{
-  castGroup(scene, scene.moved_, triangles, rays);
-}
-
 void FrontCast::castGroup(const Scene& scene, const Scene::Group& group,
   const FrontTriangles& triangles, const TreeRays& rays)
 {

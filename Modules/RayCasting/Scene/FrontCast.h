@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_FrontCast_h
-#define irradiance_FrontCast_h
+#pragma once
 
 #include "Scene/FrontDescent.h"
 #include "Scene/Scene.h"
@@ -39,9 +38,15 @@ public:
   /// Rays in world space, of no tree: `first` and `triangles` are 0.
   void cast(const Scene& scene, const FrontTriangles& triangles, const TreeRays& rays);
   /// The dynamic objects alone.
-  void castDynamic(const Scene& scene, const FrontTriangles& triangles, const TreeRays& rays);
+  void castDynamic(const Scene& scene, const FrontTriangles& triangles, const TreeRays& rays)
+  {
+    castGroup(scene, scene.dynamic_, triangles, rays);
+  }
   /// Those marked as moved, see Scene::commit().
-  void castMoved(const Scene& scene, const FrontTriangles& triangles, const TreeRays& rays);
+  void castMoved(const Scene& scene, const FrontTriangles& triangles, const TreeRays& rays)
+  {
+    castGroup(scene, scene.moved_, triangles, rays);
+  }
   /// Sets distances and weights to those at which rays hit the triangles in `rays.hit`. The
   /// distance is infinite if a ray misses its triangle, or has none.
   void findDistances(const Scene& scene, const FrontTriangles& triangles, const TreeRays& rays);
@@ -109,5 +114,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_RigidObject_h
-#define irradiance_RigidObject_h
+#pragma once
 
 #include "Ellipsoids/EnclosingEllipsoid.h"
 #include "Meshes/TriangleMesh.h"
@@ -85,5 +84,3 @@ struct PlacedBody
 };
 
 }
-
-#endif

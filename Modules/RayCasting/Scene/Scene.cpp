@@ -16,20 +16,8 @@ namespace irradiance
 namespace
 {
 
-/// The error of a world position taken to model space and back: a few ulps times the condition of
-/// the map. 2^-44 leaves room for sums of a few hundred such errors.
-double roundTripError(const AffineMap& map, double condition, double magnitude)
-{
-  return 0x1p-44 * condition * (magnitude + map.translation.cwiseAbs().maxCoeff());
-}
-
 /// Up to so many bodies it is faster to test all their balls than to descend a tree.
 constexpr std::size_t kManyBodies = 512;
-
-double conditionOf(const Matrix3& linear, const Matrix3& inverse)
-{
-  return std::max(1.0, (linear.cwiseAbs() * inverse.cwiseAbs()).rowwise().sum().maxCoeff());
-}
 
 /// Documentation/Theory.md, section 3, derives the constants.
 EllipsoidFilter filterOf(const EllipsoidBound& bound)
@@ -42,14 +30,9 @@ EllipsoidFilter filterOf(const EllipsoidBound& bound)
   const double squared = ball.radius * ball.radius;
   EllipsoidFilter filter;
   filter.scale = scale;
-  for (int row = 0; row < 3; ++row)
-  {
-    filter.center[row] = ball.center[row];
-    for (int column = 0; column < 3; ++column)
-    {
-      filter.roundFromScaled[3 * row + column] = static_cast<float>(map(row, column));
-    }
-  }
+  Eigen::Map<Vector3>{ filter.center } = ball.center;
+  Eigen::Map<Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>{ filter.roundFromScaled } =
+    map.cast<float>();
   filter.squaredRadius =
     static_cast<float>(squared * (1 + 0x1p-6 + 0x1p-34 * condition * condition));
   filter.byDistance = static_cast<float>(0x1p-32 * map.squaredNorm());
@@ -118,8 +101,12 @@ void Scene::place(double magnitude)
   {
     const Matrix3& linear = object.worldFromObject.linear;
     const Matrix3 inverse = linear.inverse();
-    const double condition = conditionOf(linear, inverse);
-    const double error = roundTripError(object.worldFromObject, condition, magnitude);
+    const double condition =
+      std::max(1.0, (linear.cwiseAbs() * inverse.cwiseAbs()).rowwise().sum().maxCoeff());
+    // A world position taken to model space and back is off by a few ulps times the condition of
+    // the map. 2^-44 leaves room for sums of a few hundred such errors.
+    const double error =
+      0x1p-44 * condition * (magnitude + object.worldFromObject.translation.cwiseAbs().maxCoeff());
     const TriangleTree& tree = object.body->tree();
     const double slack = tree.slack() / tree.frame().scale * linear.norm() * condition;
     const EllipsoidBound bound(
@@ -216,14 +203,6 @@ Triangle Scene::worldTriangle(const TriangleId& id) const
                         : transformed(placed_[id.object - 1].object.worldFromObject, triangle);
 }
 
-double Scene::reachOf(const Ray& ray) const
-{
-  return 2 *
-    std::max((bounds_.lower - ray.origin).cwiseAbs().maxCoeff(),
-      (bounds_.upper - ray.origin).cwiseAbs().maxCoeff()) /
-    ray.direction.cwiseAbs().maxCoeff();
-}
-
 bool Scene::mayTouch(const Placed& placed, const Ray& ray, double distance) const
 {
   const double squaredLength = ray.direction.squaredNorm();
@@ -239,7 +218,13 @@ bool Scene::mayTouch(const Placed& placed, const Ray& ray, double distance) cons
   {
     return true;
   }
-  end = isBounded ? end : reachOf(ray);
+  if (!isBounded) // no geometry is farther away
+  {
+    end = 2 *
+      std::max((bounds_.lower - ray.origin).cwiseAbs().maxCoeff(),
+        (bounds_.upper - ray.origin).cwiseAbs().maxCoeff()) /
+      ray.direction.cwiseAbs().maxCoeff();
+  }
   return !placed.bound.rejects(ray.origin, ray.origin + end * ray.direction);
 }
 

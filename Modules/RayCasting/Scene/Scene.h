@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_Scene_h
-#define irradiance_Scene_h
+#pragma once
 
 #include "Ellipsoids/EllipsoidBound.h"
 #include "Geometry/Ray.h"
@@ -155,8 +154,6 @@ private:
   {
     return bodyOf(id.object).mesh()[id.triangle];
   }
-  /// No geometry is farther from the ray's origin than this, in units of its direction.
-  double reachOf(const Ray& ray) const;
   /// False if the ray certainly misses the object up to a hit at `distance`, which may be infinite.
   bool mayTouch(const Placed& placed, const Ray& ray, double distance) const;
 
@@ -173,5 +170,3 @@ private:
 };
 
 }
-
-#endif

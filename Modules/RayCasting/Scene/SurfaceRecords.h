@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SurfaceRecords_h
-#define irradiance_SurfaceRecords_h
+#pragma once
 
 #include "Meshes/SurfacePoint.h"
 #include "Progress/CancelPoint.h"
@@ -94,5 +93,3 @@ private:
 };
 
 }
-
-#endif

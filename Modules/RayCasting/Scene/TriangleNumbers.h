@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_TriangleNumbers_h
-#define irradiance_TriangleNumbers_h
+#pragma once
 
 #include "Geometry/Ray.h"
 
@@ -82,5 +81,3 @@ private:
 };
 
 }
-
-#endif

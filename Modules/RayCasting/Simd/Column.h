@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_Column_h
-#define irradiance_Column_h
+#pragma once
 
 #include <cstddef>
 #include <cstring>
@@ -84,5 +83,3 @@ private:
 };
 
 }
-
-#endif

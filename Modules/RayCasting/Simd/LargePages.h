@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_LargePages_h
-#define irradiance_LargePages_h
+#pragma once
 
 #include <cstddef>
 #include <new>
@@ -88,5 +87,3 @@ private:
 };
 
 }
-
-#endif

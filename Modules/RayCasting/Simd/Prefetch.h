@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_Prefetch_h
-#define irradiance_Prefetch_h
+#pragma once
 
 namespace irradiance
 {
@@ -14,5 +13,3 @@ __attribute__((always_inline)) inline void prefetchLine(const void* address)
 }
 
 }
-
-#endif

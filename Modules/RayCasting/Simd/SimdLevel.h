@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SimdLevel_h
-#define irradiance_SimdLevel_h
+#pragma once
+
+#include <algorithm>
 
 namespace irradiance
 {
@@ -13,11 +14,34 @@ enum class SimdLevel
   Avx512 ///< x86-64 with AVX-512 F, VL, BW and DQ
 };
 
-/// The best level of this machine, or the limit set by limitSimd() if that is lower.
-SimdLevel simdLevel();
+/// The best level of this machine.
+inline SimdLevel simdLevelOfMachine()
+{
+#ifdef __x86_64__
+  if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma"))
+  {
+    return SimdLevel::Plain;
+  }
+  const bool isWide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+    __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq");
+  return isWide ? SimdLevel::Avx512 : SimdLevel::Avx2;
+#else
+  return SimdLevel::Plain;
+#endif
+}
+
+/// That level, or the limit set by limitSimd() if that is lower.
+inline SimdLevel& simdLevel()
+{
+  static SimdLevel level = simdLevelOfMachine();
+  return level;
+}
 
 /// For tests and benchmarks. Must not be called while other threads compute.
-void limitSimd(SimdLevel limit);
+inline void limitSimd(SimdLevel limit)
+{
+  simdLevel() = std::min(limit, simdLevelOfMachine());
+}
 
 }
 
@@ -29,6 +53,4 @@ void limitSimd(SimdLevel limit);
                                        : name##Plain)(__VA_ARGS__)
 #else
 #define IRRADIANCE_CALL_BEST(name, ...) name##Plain(__VA_ARGS__)
-#endif
-
 #endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SimdTarget_h
-#define irradiance_SimdTarget_h
+#pragma once
 
 /**
  * Functions between IRRADIANCE_TARGET_BEGIN and IRRADIANCE_TARGET_END may use the instructions
@@ -21,5 +20,3 @@
 
 #define IRRADIANCE_AVX2 "avx2,fma,bmi,bmi2,popcnt,lzcnt"
 #define IRRADIANCE_AVX512 "avx512f,avx512vl,avx512bw,avx512dq," IRRADIANCE_AVX2
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_DetailTrees_h
-#define irradiance_DetailTrees_h
+#pragma once
 
 #include "Meshes/TriangleMesh.h"
 #include "Trees/TriangleTree.h"
@@ -22,5 +21,3 @@ std::vector<TriangleTree> detailTreesOf(
   const TriangleMesh& mesh, const CancelPoint& cancelPoint = {});
 
 }
-
-#endif

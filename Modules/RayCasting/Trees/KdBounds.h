@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_KdBounds_h
-#define irradiance_KdBounds_h
+#pragma once
 
 #include "Geometry/Vector.h"
 
@@ -79,11 +78,8 @@ struct alignas(16) KdItem : KdBounds
   static KdItem nearest(std::uint32_t primitive, const Box& bounds)
   {
     KdItem item;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      item.lower[axis] = static_cast<float>(bounds.lower[axis]);
-      item.upper[axis] = static_cast<float>(bounds.upper[axis]);
-    }
+    Eigen::Map<Eigen::Vector3f>{ item.lower } = bounds.lower.cast<float>();
+    Eigen::Map<Eigen::Vector3f>{ item.upper } = bounds.upper.cast<float>();
     item.primitive = primitive;
     return item;
   }
@@ -112,5 +108,3 @@ inline KdBounds hullOf(const KdItems& items)
 }
 
 }
-
-#endif

@@ -1,205 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_KdSplitSearch_h
-#define irradiance_KdSplitSearch_h
+#pragma once
 
-#include "Trees/KdBounds.h"
-#include "Trees/KdTreeBuilder.h"
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <limits>
-#include <vector>
+#include "Trees/KdSplit.h"
 
 namespace irradiance
 {
-
-/// Counts how many items begin and end in each of the equal parts of an interval.
-class KdBins
-{
-public:
-  static constexpr std::uint32_t kMost = 128;
-
-  void reset(double lower, double upper, int size)
-  {
-    size_ = size;
-    last_ = static_cast<float>(size - 1);
-    lower_ = roundDown(lower);
-    width_ = (upper - lower_) / size;
-    // The scale stays finite, because infinity times zero is NaN.
-    constexpr double kMostScale = std::numeric_limits<float>::max();
-    scale_ = width_ > 0 ? static_cast<float>(std::min(1 / width_, kMostScale)) : 0.0f;
-    std::fill_n(begins_.begin(), size + 1, 0);
-    std::fill_n(ends_.begin(), size + 1, 0);
-  }
-
-  int size() const { return size_; }
-  double edge(int bin) const { return lower_ + bin * width_; }
-  /// The bin of x >= `lower`; monotonic in x. Rounding may choose the neighbour of the right bin if
-  /// x is within 2^-22 of the interval's length of their common edge.
-  int of(float x) const { return static_cast<int>(std::min((x - lower_) * scale_, last_)); }
-
-  void add(float lower, float upper)
-  {
-    ++begins_[of(lower) + 1];
-    ++ends_[of(upper)];
-  }
-  /// Ends the counting. Call it before the sums below.
-  void accumulate()
-  {
-    for (int bin = 0; bin < size_; ++bin)
-    {
-      begins_[bin + 1] += begins_[bin];
-      ends_[size_ - 1 - bin] += ends_[size_ - bin];
-    }
-  }
-  /// Number of items that begin in the bins before this one.
-  std::uint32_t begunBefore(int bin) const { return begins_[bin]; }
-  /// Number of items that end in this bin or after it.
-  std::uint32_t endingFrom(int bin) const { return ends_[bin]; }
-
-private:
-  int size_ = 1;
-  float last_ = 0, lower_ = 0, scale_ = 0;
-  double width_ = 0;
-  std::array<std::uint32_t, kMost + 1> begins_, ends_;
-};
-
-/// Where items begin, end, or lie flat on one axis, in ascending order. All places are finite.
-class KdEvents
-{
-public:
-  /// All events at one place.
-  struct Step
-  {
-    float x;
-    std::uint32_t ending, lying, beginning;
-  };
-
-  void clear()
-  {
-    for (std::vector<float>& places : places_)
-    {
-      places.clear();
-    }
-  }
-  /// Adds the requested events of an item. A flat item has only one event.
-  void add(float lower, float upper, bool takesLower, bool takesUpper)
-  {
-    if (takesLower)
-    {
-      places_[lower == upper ? kFlat : kBegin].push_back(lower);
-    }
-    if (takesUpper && lower != upper)
-    {
-      places_[kEnd].push_back(upper);
-    }
-  }
-  void sort()
-  {
-    for (std::size_t kind = 0; kind < places_.size(); ++kind)
-    {
-      std::sort(places_[kind].begin(), places_[kind].end());
-      places_[kind].push_back(HUGE_VALF);
-      next_[kind] = places_[kind].data();
-    }
-  }
-  /// After sort(): goes to the next place; false if there is none.
-  bool next(Step& step)
-  {
-    step.x = std::min({ *next_[kBegin], *next_[kEnd], *next_[kFlat] });
-    if (step.x == HUGE_VALF)
-    {
-      return false;
-    }
-    const auto pass = [&](std::size_t kind) {
-      const float* const first = next_[kind];
-      while (*next_[kind] == step.x)
-      {
-        ++next_[kind];
-      }
-      return static_cast<std::uint32_t>(next_[kind] - first);
-    };
-    step.ending = pass(kEnd);
-    step.lying = pass(kFlat);
-    step.beginning = pass(kBegin);
-    return true;
-  }
-
-private:
-  static constexpr std::size_t kBegin = 0, kEnd = 1, kFlat = 2;
-
-  std::array<std::vector<float>, 3> places_; ///< by kind
-  std::array<const float*, 3> next_{};
-};
-
-/// The surface-area heuristic for planes across one axis of a cell with `primitives`.
-class KdAxisCost
-{
-public:
-  KdAxisCost(const KdTreeBuilder& config, const Box& cell, int axis, std::uint32_t primitives)
-    : config_(config)
-    , primitives_(primitives)
-    , lower_(cell.lower[axis])
-    , upper_(cell.upper[axis])
-  {
-    const Vector3 extent = cell.extent();
-    const double u = extent[(axis + 1) % 3], v = extent[(axis + 2) % 3];
-    const double area = u * v + (u + v) * extent[axis];
-    isUseful_ = extent[axis] > 0 && area > 0 && area < kInfinity;
-    cap_ = u * v / area;
-    rim_ = (u + v) / area;
-  }
-
-  /// False if no plane across this axis can split the cell.
-  bool isUseful() const { return isUseful_; }
-  bool isInside(float plane) const { return plane > lower_ && plane < upper_; }
-
-  double ofSplit(double plane, std::uint32_t left, std::uint32_t right) const
-  {
-    return atLeast(plane, left, plane, right);
-  }
-  /// A lower bound for splits with at least these numbers of primitives in cells at least as large.
-  double atLeast(double leftUpTo, std::uint32_t left, double rightFrom, std::uint32_t right) const
-  {
-    const double cost = config_.traversalCost +
-      (cap_ + rim_ * (leftUpTo - lower_)) * config_.leafCost(left) +
-      (cap_ + rim_ * (upper_ - rightFrom)) * config_.leafCost(right);
-    if (left == 0 || right == 0)
-    {
-      return config_.emptyFactor * cost;
-    }
-    const double parted = std::max(0.0, static_cast<double>(left) + right - primitives_);
-    return cost * (1 + config_.partingCost * parted / primitives_);
-  }
-
-private:
-  const KdTreeBuilder& config_;
-  double primitives_;
-  double lower_, upper_;
-  bool isUseful_;
-  // areas over the cell's: of one end, and of the sides for each unit of length.
-  double cap_, rim_;
-};
-
-struct KdSplit
-{
-  double cost;
-  int axis = -1; ///< negative: no split is cheaper than a leaf
-  float plane = 0;
-  bool flatGoLeft = true;            ///< side of the items that lie in the plane
-  std::uint32_t left = 0, right = 0; ///< numbers of items, judged by their bounds
-
-  bool parts(const KdItem& item) const
-  {
-    return item.lower[axis] < plane && item.upper[axis] > plane;
-  }
-  /// The side of an item that is not split.
-  bool isLeft(const KdItem& item) const
-  {
-    return flatGoLeft ? item.upper[axis] <= plane : item.lower[axis] < plane;
-  }
-};
 
 /**
  * Finds the cheapest of all planes at which an item begins or ends. First, bins give lower bounds
@@ -216,18 +21,203 @@ public:
   {
   }
 
-  KdSplit best(const KdItems& items, const Box& cell);
+  KdSplit best(const KdItems& items, const Box& cell)
+  {
+    KdSplit best{ config_.leafCost(items.size()) };
+    const AxisCosts costs = { KdAxisCost(config_, cell, 0, items.size()),
+      KdAxisCost(config_, cell, 1, items.size()), KdAxisCost(config_, cell, 2, items.size()) };
+    if (items.size() <= static_cast<std::uint32_t>(config_.blockSize))
+    {
+      cutOffEmptySpace(items, costs, best);
+      return best;
+    }
+    fillBins(items, cell);
+    // Rounding a place to its bin changes the cost by less than this.
+    const double slack = 0x1p-20 * best.cost;
+    std::array<double, 3> estimates;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      estimates[axis] = costs[axis].isUseful() ? leastAtEdges(bins_[axis], costs[axis]) : kInfinity;
+    }
+    // The most promising axis comes first: what it finds saves work on the others.
+    std::array<int, 3> order = { 0, 1, 2 };
+    std::stable_sort(
+      order.begin(), order.end(), [&](int a, int b) { return estimates[a] < estimates[b]; });
+    const double promised = estimates[order[0]] + slack;
+    for (const int axis : order)
+    {
+      sweep(items, axis, costs[axis], std::min(best.cost + slack, promised), best);
+    }
+    for (int axis = 0; axis < 3 && best.cost > promised; ++axis)
+    {
+      sweep(items, axis, costs[axis], kInfinity, best);
+    }
+    cutOffSheets(items, cell, costs, best);
+    return best;
+  }
 
 private:
+  /// Looking at a bin costs about as much as looking at two items.
+  static int numberOfBins(std::uint32_t items)
+  {
+    return static_cast<int>(std::clamp(items / 2, 1u, KdBins::kMost));
+  }
+  static void consider(const KdSplit& split, KdSplit& best)
+  {
+    if (split.cost < best.cost)
+    {
+      best = split;
+    }
+  }
+  /// The least cost at an edge of a bin. As a rule some event is as cheap: between two events the
+  /// cost is linear, so that one of them is as cheap as any place between. But a plane cannot lie in
+  /// the cell's own face, though items may lie flat in it.
+  static double leastAtEdges(const KdBins& bins, const KdAxisCost& cost)
+  {
+    const bool mayLeftBeEmpty = bins.begunBefore(bins.size() - 1) > 0;
+    const bool mayRightBeEmpty = bins.endingFrom(1) > 0;
+    double least = kInfinity;
+    for (int bin = 1; bin < bins.size(); ++bin)
+    {
+      const std::uint32_t left = bins.begunBefore(bin), right = bins.endingFrom(bin);
+      if ((left > 0 || mayLeftBeEmpty) && (right > 0 || mayRightBeEmpty))
+      {
+        least = std::min(least, cost.ofSplit(bins.edge(bin), left, right));
+      }
+    }
+    return least;
+  }
   using AxisCosts = std::array<KdAxisCost, 3>;
 
-  void cutOffEmptySpace(const KdItems& items, const AxisCosts& costs, KdSplit& best) const;
-  void cutOffSheets(const KdItems& items, const Box& cell, const AxisCosts& costs, KdSplit& best);
-  void fillBins(const KdItems& items, const Box& cell);
-  void sweep(const KdItems& items, int axis, const KdAxisCost& cost, double limit, KdSplit& best);
-  bool chooseBins(const KdBins& bins, const KdAxisCost& cost, double limit);
-  void collectEvents(const KdItems& items, int axis);
-  void sweepEvents(int axis, const KdAxisCost& cost, KdSplit& best);
+  /// A single block of primitives can gain from nothing else.
+  void cutOffEmptySpace(const KdItems& items, const AxisCosts& costs, KdSplit& best) const
+  {
+    const std::uint32_t count = items.size();
+    if (count == 0)
+    {
+      return;
+    }
+    const KdBounds hull = hullOf(items);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const KdAxisCost& cost = costs[axis];
+      const float lower = hull.lower[axis], upper = hull.upper[axis];
+      if (cost.isUseful() && cost.isInside(lower))
+      {
+        consider({ cost.ofSplit(lower, 0, count), axis, lower, false, 0, count }, best);
+      }
+      if (cost.isUseful() && cost.isInside(upper))
+      {
+        consider({ cost.ofSplit(upper, count, 0), axis, upper, true, count, 0 }, best);
+      }
+    }
+  }
+  /// To cut off one wall of a room pays little, as the rest is as large as before, and so the
+  /// cheapest plane halves the room. But without all its walls a room is empty. So if the items
+  /// include sheets, items that lie flat in a face of their hull, one is cut off if to cut off all is
+  /// cheaper.
+  void cutOffSheets(const KdItems& items, const Box& cell, const AxisCosts& costs, KdSplit& best)
+  {
+    const CoplanarFaces sheets(items, pace_);
+    if (!sheets.areAny())
+    {
+      return;
+    }
+    const double cost = sheets.costOfCuttingAll(config_, cell);
+    for (int face = 0; face < CoplanarFaces::kFaces; ++face)
+    {
+      const std::uint32_t count = sheets.count(face), others = items.size() - count;
+      const int axis = face / 2;
+      const float plane = sheets.place(face);
+      if (count > 0 && costs[axis].isInside(plane))
+      {
+        const bool isLower = face % 2 == 0;
+        consider(
+          { cost, axis, plane, isLower, isLower ? count : others, isLower ? others : count }, best);
+      }
+    }
+  }
+  void fillBins(const KdItems& items, const Box& cell)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      bins_[axis].reset(cell.lower[axis], cell.upper[axis], numberOfBins(items.size()));
+    }
+    for (const KdItem& item : items)
+    {
+      pace_.step();
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        bins_[axis].add(item.lower[axis], item.upper[axis]);
+      }
+    }
+    for (KdBins& bins : bins_)
+    {
+      bins.accumulate();
+    }
+  }
+  /// Considers all planes across an axis that may be as cheap as `limit`.
+  void sweep(const KdItems& items, int axis, const KdAxisCost& cost, double limit, KdSplit& best)
+  {
+    if (cost.isUseful() && chooseBins(bins_[axis], cost, limit))
+    {
+      collectEvents(items, axis);
+      sweepEvents(axis, cost, best);
+    }
+  }
+  bool chooseBins(const KdBins& bins, const KdAxisCost& cost, double limit)
+  {
+    bool isAnyChosen = false;
+    for (int bin = 0; bin < bins.size(); ++bin)
+    {
+      const double least = cost.atLeast(
+        bins.edge(bin), bins.begunBefore(bin), bins.edge(bin + 1), bins.endingFrom(bin + 1));
+      isChosen_[bin] = least <= limit;
+      isAnyChosen = isAnyChosen || isChosen_[bin];
+    }
+    return isAnyChosen;
+  }
+  void collectEvents(const KdItems& items, int axis)
+  {
+    const KdBins& bins = bins_[axis];
+    events_.clear();
+    for (const KdItem& item : items)
+    {
+      pace_.step();
+      const float lower = item.lower[axis], upper = item.upper[axis];
+      events_.add(lower, upper, isChosen_[bins.of(lower)], isChosen_[bins.of(upper)]);
+    }
+    events_.sort();
+  }
+  /// Sweeps a plane over the chosen bins and counts what lies on either side.
+  void sweepEvents(int axis, const KdAxisCost& cost, KdSplit& best)
+  {
+    const KdBins& bins = bins_[axis];
+    int bin = -1;
+    std::uint32_t left = 0, right = 0;
+    KdEvents::Step step;
+    while (events_.next(step))
+    {
+      if (bins.of(step.x) != bin)
+      {
+        bin = bins.of(step.x);
+        left = bins.begunBefore(bin);
+        right = bins.endingFrom(bin);
+      }
+      right -= step.ending + step.lying;
+      if (cost.isInside(step.x))
+      {
+        const std::uint32_t more = left + step.lying;
+        consider({ cost.ofSplit(step.x, more, right), axis, step.x, true, more, right }, best);
+      }
+      if (cost.isInside(step.x) && step.lying > 0)
+      {
+        const std::uint32_t more = right + step.lying;
+        consider({ cost.ofSplit(step.x, left, more), axis, step.x, false, left, more }, best);
+      }
+      left += step.beginning + step.lying;
+    }
+  }
 
   const KdTreeBuilder& config_;
   ThrottledCancelPoint pace_;
@@ -237,5 +227,3 @@ private:
 };
 
 }
-
-#endif

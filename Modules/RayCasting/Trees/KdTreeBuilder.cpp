@@ -77,7 +77,8 @@ private:
   /// `spare` is how many items the node and all below it may add by splitting items.
   void divide(std::uint32_t node, Range range, const Box& cell, int depth, std::size_t spare)
   {
-    const KdSplit split = depth < maxDepth_ ? bestSplit(range, cell) : KdSplit{ 0 };
+    const KdItems own{ items_.data() + range.begin, items_.data() + range.end };
+    const KdSplit split = depth < maxDepth_ ? search_.best(own, cell) : KdSplit{ 0 };
     const std::size_t items = std::size_t{ split.left } + split.right;
     if (split.axis < 0 || items > range.size() + spare)
     {
@@ -118,12 +119,6 @@ private:
       tree_.filled[node].add(items_[i]);
     }
     tree_.nodes[node] = KdNode::leaf(first, static_cast<std::uint32_t>(range.size()));
-  }
-
-  KdSplit bestSplit(Range range, const Box& cell)
-  {
-    const KdItem* items = items_.data();
-    return search_.best({ items + range.begin, items + range.end }, cell);
   }
 
   /// The larger side stays where the items are, the other goes behind them. That other side is

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_KdTreeBuilder_h
-#define irradiance_KdTreeBuilder_h
+#pragma once
 
 #include "Meshes/TriangleMesh.h"
 #include "Progress/CancelPoint.h"
@@ -97,5 +96,3 @@ struct KdTreeBuilder
 };
 
 }
-
-#endif

@@ -111,7 +111,18 @@ std::uint32_t leafAt(const TriangleTree& tree, const UnitPoint& point)
 LeafTable::LeafTable(const TriangleTree& tree)
   : boxes_(tree.numberOfBlocks())
 {
-  addBoxes(tree, tree.root());
+  for (std::size_t i = 0; i < tree.numberOfTreelets(); ++i)
+  {
+    const Treelet& treelet = tree.treelets()[i];
+    for (unsigned child = 0; child < Treelet::kSize; ++child)
+    {
+      const std::uint32_t link = treelet.children[child];
+      if ((link & Treelet::kLeaf) != 0 && link != Treelet::kEmpty)
+      {
+        boxes_[link & ~Treelet::kLeaf] = treelet.box(child);
+      }
+    }
+  }
   forEachInLeaves(tree, [&](std::uint32_t, std::uint32_t triangle) {
     begin_.resize(std::max<std::size_t>(begin_.size(), triangle + std::size_t{ 2 }));
     ++begin_[triangle + std::size_t{ 1 }];
@@ -121,27 +132,6 @@ LeafTable::LeafTable(const TriangleTree& tree)
   leaves_.resize(begin_.empty() ? 0 : begin_.back());
   forEachInLeaves(
     tree, [&](std::uint32_t leaf, std::uint32_t triangle) { leaves_[next[triangle]++] = leaf; });
-}
-
-void LeafTable::addBoxes(const TriangleTree& tree, std::uint32_t node)
-{
-  if ((node & Treelet::kLeaf) != 0) // the tree is one leaf, or empty
-  {
-    return;
-  }
-  const Treelet& treelet = tree.treelets()[node];
-  for (unsigned child = 0; child < Treelet::kSize; ++child)
-  {
-    const std::uint32_t link = treelet.children[child];
-    if ((link & Treelet::kLeaf) == 0)
-    {
-      addBoxes(tree, link);
-    }
-    else if (link != Treelet::kEmpty)
-    {
-      boxes_[link & ~Treelet::kLeaf] = treelet.box(child);
-    }
-  }
 }
 
 std::uint32_t LeafTable::leafOf(

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_LeafQuery_h
-#define irradiance_LeafQuery_h
+#pragma once
 
 #include "Trees/TriangleTree.h"
 
@@ -53,8 +52,6 @@ public:
 private:
   static constexpr std::uint32_t kMany = 8; ///< leaves
 
-  void addBoxes(const TriangleTree& tree, std::uint32_t node);
-
   std::vector<KdBounds> boxes_;      ///< of leaves, by the number of the first block
   std::vector<std::uint32_t> begin_; ///< of the leaves of each triangle
   std::vector<std::uint32_t> leaves_;
@@ -106,5 +103,3 @@ void forEachNear(const TriangleTree& tree, const Box& box, const Visit& visit)
 std::vector<std::uint32_t> trianglesNear(const TriangleTree& tree, const Box& box);
 
 }
-
-#endif

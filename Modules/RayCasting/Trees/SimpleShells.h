@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SimpleShells_h
-#define irradiance_SimpleShells_h
+#pragma once
 
 #include "Meshes/SolidSides.h"
 #include "Trees/TriangleTree.h"
@@ -18,5 +17,3 @@ void markSimpleShells(SolidSides& sides, const std::vector<Triangle>& triangles,
   const TriangleTree& tree, const CancelPoint& cancelPoint);
 
 }
-
-#endif

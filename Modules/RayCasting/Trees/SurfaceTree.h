@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SurfaceTree_h
-#define irradiance_SurfaceTree_h
+#pragma once
 
 #include "Geometry/UnitFrame.h"
 #include "Meshes/SolidSides.h"
@@ -64,5 +63,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_TreeletPlan_h
-#define irradiance_TreeletPlan_h
+#pragma once
 
 #include "Progress/CancelPoint.h"
 #include "Trees/KdTreeBuilder.h"
@@ -101,5 +100,3 @@ private:
 };
 
 }
-
-#endif

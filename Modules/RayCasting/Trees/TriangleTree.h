@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_TriangleTree_h
-#define irradiance_TriangleTree_h
+#pragma once
 
 #include "Geometry/Triangle.h"
 #include "Geometry/UnitFrame.h"
@@ -122,6 +121,7 @@ public:
 
   std::uint32_t root() const { return root_; }
   const Treelet* treelets() const { return treelets_.data(); }
+  std::size_t numberOfTreelets() const { return treelets_.size(); }
   const TriangleBlock* blocks() const { return blocks_.data(); }
   std::size_t numberOfBlocks() const { return blocks_.size(); }
 
@@ -146,5 +146,3 @@ private:
 TriangleTree treeOf(const std::vector<Triangle>& triangles, const CancelPoint& cancelPoint = {});
 
 }
-
-#endif
