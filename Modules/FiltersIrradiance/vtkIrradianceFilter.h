@@ -493,9 +493,6 @@ protected:
   vtkSmartPointer<vtkMultiProcessController> Controller;
 
 private:
-  vtkIrradianceFilter(const vtkIrradianceFilter&) = delete;
-  void operator=(const vtkIrradianceFilter&) = delete;
-
   vtkMTimeType OwnTime();
   vtkMTimeType InputTime();
   bool HasChangedMeanwhile();

@@ -261,7 +261,7 @@ int vtkSunSkySource::RequestData(
     {
       addNumbers(fields, kSkyBounds, { this->Bounds, this->Bounds + 6 });
     }
-    addText(fields, kSkyNote,
+    addText(fields, "SkyNote",
       sky.note.empty() || light.Where.empty() ? sky.note : light.Where + ": " + sky.note);
     // As readers of files do: then a dose knows that it has to take the rows.
     output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), light.Time);
