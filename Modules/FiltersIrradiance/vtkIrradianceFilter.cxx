@@ -682,12 +682,8 @@ vtkMTimeType vtkIrradianceFilter::InputTime()
 /// Whether something changed during a run, up to its last progress event, after RequestData.
 bool vtkIrradianceFilter::HasChangedMeanwhile()
 {
-  if (this->Internals->Begun == 0)
-  {
-    return false;
-  }
   vtkDataObject* output = vtkDataObject::GetData(this->GetOutputInformation(0));
-  const vtkMTimeType time = this->InputTime();
+  const vtkMTimeType time = this->Internals->Begun > 0 ? this->InputTime() : 0;
   return output && time > this->Internals->Begun && time <= output->GetUpdateTime();
 }
 

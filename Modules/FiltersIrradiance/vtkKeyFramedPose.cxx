@@ -115,16 +115,13 @@ public:
   /// None if the part is not there.
   OptionalPose PoseAt(double time) const
   {
-    if (time >= this->Keys.begin() && time <= this->Keys.end())
-    {
-      return this->Keys.at(time);
-    }
-    if (this->Filter->GetOutsideOfKeys() == Leave)
+    const bool isOutside = !(time >= this->Keys.begin() && time <= this->Keys.end());
+    if (isOutside && this->Filter->GetOutsideOfKeys() == Leave)
     {
       return std::nullopt;
     }
-    throwIf(this->Filter->GetOutsideOfKeys() != Hold || std::isnan(time), "the keys are from ",
-      this->Keys.begin(), " to ", this->Keys.end(), ", and the time ", time,
+    throwIf(isOutside && (this->Filter->GetOutsideOfKeys() != Hold || std::isnan(time)),
+      "the keys are from ", this->Keys.begin(), " to ", this->Keys.end(), ", and the time ", time,
       " is asked for (OutsideOfKeys says what to do then)");
     return this->Keys.at(std::clamp(time, this->Keys.begin(), this->Keys.end()));
   }

@@ -75,13 +75,11 @@ Settings CheckedSettings(vtkRadiantExposureFilter* filter, vtkInformation* input
   constexpr vtkIdType most = 1000000;
   checked("NumberOfTimeSteps", settings.NumberOfTimeSteps, 1, most);
   checked("NumberOfSpreadPhotons", settings.NumberOfSpreadPhotons, 0, most);
-  if (!IsErrorControlled(settings.Mode))
-  {
-    return settings;
-  }
-  throwIf(!(settings.RelativeTolerance > 0 && std::isfinite(settings.RelativeTolerance)),
+  const bool isControlled = IsErrorControlled(settings.Mode);
+  throwIf(
+    isControlled && !(settings.RelativeTolerance > 0 && std::isfinite(settings.RelativeTolerance)),
     "RelativeTolerance is ", settings.RelativeTolerance, "; it has to be positive");
-  throwIf(settings.MaximumNumberOfTimeSteps < settings.NumberOfTimeSteps,
+  throwIf(isControlled && settings.MaximumNumberOfTimeSteps < settings.NumberOfTimeSteps,
     "MaximumNumberOfTimeSteps is ", settings.MaximumNumberOfTimeSteps, ", but NumberOfTimeSteps, ",
     settings.NumberOfTimeSteps, ", is the least for error control");
   return settings;
@@ -261,14 +259,12 @@ private:
 
   void UpdateProducer(const Ranks& ranks) const
   {
-    const std::optional<double> time = this->OwnTime(ranks);
-    if (!time)
+    if (const std::optional<double> time = this->OwnTime(ranks))
     {
-      return;
+      this->Input()->Set(Pipeline::UPDATE_TIME_STEP(), *time);
+      throwIf(!this->Producer->Update(this->Filter->GetInputConnection(0, 0)->GetIndex()),
+        "the input could not be computed at time ", *time, ", see its own error");
     }
-    this->Input()->Set(Pipeline::UPDATE_TIME_STEP(), *time);
-    throwIf(!this->Producer->Update(this->Filter->GetInputConnection(0, 0)->GetIndex()),
-      "the input could not be computed at time ", *time, ", see its own error");
   }
 
   void Take(ControllerRanks& ranks)
