@@ -125,7 +125,7 @@ vtkDataObject* vtkIrradianceProbeFilter::GetSource()
 int vtkIrradianceProbeFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
   port == 0 ? info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet")
-            : setInputTypes(info, "vtkMultiBlockDataSet", "vtkDataObject");
+            : void(setInputTypes(info, "vtkMultiBlockDataSet", "vtkDataObject"));
   return 1;
 }
 

@@ -239,8 +239,7 @@ int vtkKeyFramedPose::GetNumberOfPoses()
 
 int vtkKeyFramedPose::FillInputPortInformation(int, vtkInformation* info)
 {
-  setInputTypes(info, "vtkDataObjectTree", "vtkDataObject");
-  return 1;
+  return setInputTypes(info, "vtkDataObjectTree", "vtkDataObject");
 }
 
 vtkPolyData* vtkKeyFramedPose::GetOutput()

@@ -166,8 +166,7 @@ vtkMTimeType vtkOutgoingRadianceFilter::GetMTime()
 
 int vtkOutgoingRadianceFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  setInputTypes(info, "vtkMultiBlockDataSet", "vtkDataObject");
-  return 1;
+  return setInputTypes(info, "vtkMultiBlockDataSet", "vtkDataObject");
 }
 
 void vtkOutgoingRadianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)

@@ -18,8 +18,7 @@ vtkStandardNewMacro(vtkPhotonWalksFilter);
 
 int vtkPhotonWalksFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  setInputTypes(info, "vtkMultiBlockDataSet", "vtkDataObject");
-  return 1;
+  return setInputTypes(info, "vtkMultiBlockDataSet", "vtkDataObject");
 }
 
 int vtkPhotonWalksFilter::RequestUpdateExtent(

@@ -172,8 +172,7 @@ vtkPointIrradianceFilter::~vtkPointIrradianceFilter() = default;
 
 int vtkPointIrradianceFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  setInputTypes(info, "vtkMultiBlockDataSet", "vtkDataObject");
-  return 1;
+  return setInputTypes(info, "vtkMultiBlockDataSet", "vtkDataObject");
 }
 
 void vtkPointIrradianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)

@@ -358,8 +358,7 @@ vtkMultiProcessController* vtkRadiantExposureFilter::GetController()
 
 int vtkRadiantExposureFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  setInputTypes(info, "vtkDataObjectTree", "vtkDataSet");
-  return 1;
+  return setInputTypes(info, "vtkDataObjectTree", "vtkDataSet");
 }
 
 int vtkRadiantExposureFilter::RequestInformation(
