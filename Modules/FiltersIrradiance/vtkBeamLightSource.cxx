@@ -21,12 +21,12 @@
 #include <set>
 #include <vector>
 
+using namespace irradiance;
+
 vtkStandardNewMacro(vtkBeamLightSource);
 
 namespace
 {
-
-using irradiance::Vector3;
 
 /// Intensity over its peak, and the angle at which it has fallen by a number of halves.
 class BeamProfile
@@ -91,13 +91,13 @@ void AddBeam(vtkFieldData* fields, const BeamProfile& profile, double flux)
   std::vector<double> values(polar.size());
   std::transform(
     polar.begin(), polar.end(), values.begin(), [&](double angle) { return profile.At(angle); });
-  const double scale = flux / irradiance::DirectionTable(polar, { 0 }, values).integral();
+  const double scale = flux / DirectionTable(polar, { 0 }, values).integral();
   std::transform(
     values.begin(), values.end(), values.begin(), [scale](double value) { return scale * value; });
-  irradiance::addColumn(fields, "RadiantIntensity", values);
-  irradiance::addColumn(fields, "PolarAngles", polar);
-  irradiance::addColumn(fields, "AzimuthAngles", { 0 });
-  irradiance::addColumn(fields, "Flux", { flux });
+  addColumn(fields, "RadiantIntensity", values);
+  addColumn(fields, "PolarAngles", polar);
+  addColumn(fields, "AzimuthAngles", { 0 });
+  addColumn(fields, "Flux", { flux });
 }
 
 void AddLamp(vtkPolyData* output, double radius, const Vector3& center, const Vector3& axis,
@@ -126,7 +126,6 @@ vtkBeamLightSource::vtkBeamLightSource()
 
 void vtkBeamLightSource::CheckProperties() const
 {
-  using irradiance::checkWithin;
   checkWithin("Flux", this->Flux, 0, VTK_DOUBLE_MAX);
   if (this->BeamFrom == CosinePower)
   {
@@ -135,7 +134,7 @@ void vtkBeamLightSource::CheckProperties() const
   else
   {
     checkWithin("BeamAngle", this->BeamAngle, 0.01, 179.9);
-    irradiance::throwIf(
+    throwIf(
       this->FieldAngle != 0 && !(this->FieldAngle > this->BeamAngle && this->FieldAngle <= 180),
       "FieldAngle is ", this->FieldAngle, "; it has to be more than BeamAngle, ", this->BeamAngle,
       ", to 180, or 0");
@@ -145,7 +144,7 @@ void vtkBeamLightSource::CheckProperties() const
     checkWithin("Center", this->Center[i], -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX);
     checkWithin("Direction", this->Direction[i], -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX);
   }
-  irradiance::throwIf(Vector3(this->Direction).isZero(0), "Direction is 0 0 0");
+  throwIf(Vector3(this->Direction).isZero(0), "Direction is 0 0 0");
   checkWithin("Radius", this->Radius, 0, VTK_DOUBLE_MAX);
   checkWithin("NumberOfLamps", this->NumberOfLamps, 1, 100000);
   checkWithin("RingRadius", this->RingRadius, 0, VTK_DOUBLE_MAX);
@@ -156,7 +155,7 @@ int vtkBeamLightSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  return irradiance::runFilter(this, output, [&] {
+  return runFilter(this, output, [&] {
     this->CheckProperties();
     const int lamps = this->NumberOfLamps;
     AddBeam(output->GetFieldData(), BeamProfile(this), this->Flux / lamps);
@@ -166,9 +165,9 @@ int vtkBeamLightSource::RequestData(
     output->SetVerts(vtkNew<vtkCellArray>());
     output->SetPolys(vtkNew<vtkCellArray>());
     vtkCellData* cells = output->GetCellData();
-    const auto axes = irradiance::addArray<vtkDoubleArray>(cells, "LampAxis", 3, lamps);
-    const auto references = irradiance::addArray<vtkDoubleArray>(cells, "LampReference", 3, lamps);
-    const auto ids = irradiance::addArray<vtkIntArray>(cells, "LampId", 1, lamps);
+    const auto axes = addArray<vtkDoubleArray>(cells, "LampAxis", 3, lamps);
+    const auto references = addArray<vtkDoubleArray>(cells, "LampReference", 3, lamps);
+    const auto ids = addArray<vtkIntArray>(cells, "LampId", 1, lamps);
     const Vector3 axis = Vector3(this->Direction).stableNormalized();
     const Vector3 side = std::abs(axis[0]) > 0.999999 ? Vector3::UnitY() : Vector3::UnitX();
     const Vector3 first = (side - side.dot(axis) * axis).normalized();

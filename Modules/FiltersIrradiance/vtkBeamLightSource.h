@@ -111,9 +111,6 @@ protected:
   double Radius = 0, RingRadius = 0, Tilt = 0;
 
 private:
-  vtkBeamLightSource(const vtkBeamLightSource&) = delete;
-  void operator=(const vtkBeamLightSource&) = delete;
-
   void CheckProperties() const;
 };
 

@@ -41,6 +41,8 @@
 #include <sstream>
 #include <utility>
 
+using namespace irradiance;
+
 vtkStandardNewMacro(vtkIrradianceFilter);
 
 namespace
@@ -66,43 +68,41 @@ vtkIdType Multiplied(vtkIdType number, double effort, vtkIdType usual, vtkIdType
   return product < static_cast<double>(most) ? static_cast<vtkIdType>(product) : most;
 }
 
-void ReadErrorSettings(vtkIrradianceFilter* filter, irradiance::EngineSettings& settings)
+void ReadErrorSettings(vtkIrradianceFilter* filter, EngineSettings& settings)
 {
   constexpr vtkIdType mostReplicates = 256;
   const vtkIdType walks = filter->GetNumberOfWalks();
   const double target = filter->GetTargetRelativeError();
   const std::uint32_t replicates =
-    irradiance::checked("NumberOfReplicates", filter->GetNumberOfReplicates(), 2, mostReplicates);
-  irradiance::throwIf(!(target >= 0 && target <= 1), "TargetRelativeError is ", target,
+    checked("NumberOfReplicates", filter->GetNumberOfReplicates(), 2, mostReplicates);
+  throwIf(!(target >= 0 && target <= 1), "TargetRelativeError is ", target,
     "; it has to be positive and at most 1, or 0 for no target (5 % is 0.05)");
   if (target > 0)
   {
     const double effort = filter->GetMaximumEffort();
-    irradiance::throwIf(effort != 0 && !(effort >= 1), "MaximumEffort is ", effort,
+    throwIf(effort != 0 && !(effort >= 1), "MaximumEffort is ", effort,
       "; it has to be 1 or more, or 0 for 10,000,000 walks and 1024 rays");
     settings.targetRelativeError = target;
     settings.maximumNumberOfWalks =
-      irradiance::checked("MaximumNumberOfWalks, which is at least NumberOfWalks,",
+      checked("MaximumNumberOfWalks, which is at least NumberOfWalks,",
         filter->GetMaximumNumberOfWalks(), walks, MostWalks);
     settings.maximumGatherRays =
-      irradiance::checked("MaximumNumberOfGatherRays, which is at least NumberOfRays,",
+      checked("MaximumNumberOfGatherRays, which is at least NumberOfRays,",
         filter->GetMaximumNumberOfGatherRays(), settings.gatherRays, MostRaysOfTarget);
   }
   if (target > 0 || filter->GetComputeStandardError())
   {
-    irradiance::checked(
-      "NumberOfWalks, with NumberOfReplicates replicates,", walks, replicates, MostWalks);
+    checked("NumberOfWalks, with NumberOfReplicates replicates,", walks, replicates, MostWalks);
     settings.replicates = replicates;
   }
 }
 
 /// Sums if that is left to the scene.
-irradiance::CellEstimate AskedEstimate(vtkIrradianceFilter* filter)
+CellEstimate AskedEstimate(vtkIrradianceFilter* filter)
 {
-  using irradiance::CellEstimate;
   constexpr int nearest = 2;
   const int estimate = filter->GetCellEstimate();
-  irradiance::throwIf(estimate == nearest,
+  throwIf(estimate == nearest,
     "CellEstimate is 2, which was Nearest: for cells there are Spread (1) and Gathered (3), and "
     "for points the Estimate Nearest of vtkIrradianceProbeFilter");
   return estimate == vtkIrradianceFilter::Spread   ? CellEstimate::Spread
@@ -111,59 +111,57 @@ irradiance::CellEstimate AskedEstimate(vtkIrradianceFilter* filter)
 }
 
 /// With what is possible where a property is left to the scene.
-irradiance::EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
+EngineSettings CheckedSettings(vtkIrradianceFilter* filter)
 {
   constexpr vtkIdType mostSpreadPhotons = 1000000, mostRays = 4096;
   const double budget = filter->GetRepairTimeBudget();
-  irradiance::throwIf(!(budget >= 0), "RepairTimeBudget is ", budget,
+  throwIf(!(budget >= 0), "RepairTimeBudget is ", budget,
     "; 0 (none) or a positive number of seconds is possible");
   const double reflectance = filter->GetDefaultDiffuseReflectance();
-  irradiance::throwIf(!(reflectance >= 0 && reflectance <= 1), "DefaultDiffuseReflectance is ",
-    reflectance, "; 0 to 1 is possible");
-  irradiance::EngineSettings settings;
-  settings.numberOfWalks =
-    irradiance::checked("NumberOfWalks", filter->GetNumberOfWalks(), 1, MostWalks);
-  settings.gatherRays = irradiance::checked("NumberOfRays", filter->GetNumberOfRays(), 1, mostRays);
+  throwIf(!(reflectance >= 0 && reflectance <= 1), "DefaultDiffuseReflectance is ", reflectance,
+    "; 0 to 1 is possible");
+  EngineSettings settings;
+  settings.numberOfWalks = checked("NumberOfWalks", filter->GetNumberOfWalks(), 1, MostWalks);
+  settings.gatherRays = checked("NumberOfRays", filter->GetNumberOfRays(), 1, mostRays);
   ReadErrorSettings(filter, settings);
   settings.seed = static_cast<std::uint64_t>(filter->GetSeed());
-  settings.traversalMode = static_cast<irradiance::TraversalMode>(filter->GetTraversalMode());
+  settings.traversalMode = static_cast<TraversalMode>(filter->GetTraversalMode());
   settings.verify = filter->GetUpdateMode() == vtkIrradianceFilter::Verify;
   settings.cacheStaticHits = filter->GetCacheStaticHits() != 0;
   settings.separateSides = filter->GetSeparateSides() != 0;
   settings.gathersDirectLight = filter->GetDirectLight() != vtkIrradianceFilter::Shot;
   settings.repairTimeBudget = budget;
   settings.cellEstimate = AskedEstimate(filter);
-  settings.spreadPhotons = irradiance::checked(
-    "NumberOfSpreadPhotons", filter->GetNumberOfSpreadPhotons(), 1, mostSpreadPhotons);
-  irradiance::throwIf(filter->GetGatherOn() != vtkIrradianceFilter::SmallCells &&
+  settings.spreadPhotons =
+    checked("NumberOfSpreadPhotons", filter->GetNumberOfSpreadPhotons(), 1, mostSpreadPhotons);
+  throwIf(filter->GetGatherOn() != vtkIrradianceFilter::SmallCells &&
       filter->GetGatherOn() != vtkIrradianceFilter::AllCells,
     "GatherOn is ", filter->GetGatherOn(),
     ", which was DynamicCells: set Method to Gathered or GatheredEverywhere");
   settings.gathersEverywhere = filter->GetGatherOn() == vtkIrradianceFilter::AllCells;
   settings.unbiasedGather = filter->GetUnbiasedGather() != 0;
-  const std::string conflict = irradiance::conflictOf(settings, settings);
-  irradiance::throwIf(!conflict.empty(), conflict);
+  const std::string conflict = conflictOf(settings, settings);
+  throwIf(!conflict.empty(), conflict);
   return settings;
 }
 
 /// Has walks stored, and whole on each rank, for filters that read their photons. Throws
 /// InputError.
-void KeepWhatIsRead(irradiance::EngineSettings& settings, vtkInformation* request,
-  bool areWalksShown, const irradiance::Ranks& ranks)
+void KeepWhatIsRead(
+  EngineSettings& settings, vtkInformation* request, bool areWalksShown, const Ranks& ranks)
 {
-  const bool areWalksRead = irradiance::isRequested(request, irradiance::UpstreamRequest::Walks);
-  settings.allOnEachRank =
-    areWalksRead || irradiance::isRequested(request, irradiance::UpstreamRequest::Photons);
+  const bool areWalksRead = isRequested(request, UpstreamRequest::Walks);
+  settings.allOnEachRank = areWalksRead || isRequested(request, UpstreamRequest::Photons);
   settings.keepPhotons = settings.allOnEachRank || areWalksShown;
   settings.listRepaired = areWalksShown || areWalksRead;
-  irradiance::throwIf(settings.allOnEachRank && settings.repairTimeBudget > 0 && ranks.areSeveral(),
+  throwIf(settings.allOnEachRank && settings.repairTimeBudget > 0 && ranks.areSeveral(),
     "RepairTimeBudget is ", settings.repairTimeBudget, ", but there are ", ranks.count(),
     " processes, and each of them would repair other photons for vtkPhotonWalksFilter or "
     "vtkIrradianceProbeFilter: set it to 0");
 }
 
-std::string TargetMissed(const irradiance::IrradianceEngine& engine,
-  const irradiance::EngineSettings& settings, double effort)
+std::string TargetMissed(
+  const IrradianceEngine& engine, const EngineSettings& settings, double effort)
 {
   std::ostringstream text;
   text << "TargetRelativeError " << settings.targetRelativeError
@@ -193,99 +191,96 @@ public:
   /// The processes that share the walks; null if a filter downstream has each compute alone.
   vtkMultiProcessController* GetSharing() const
   {
-    const bool isAlone = irradiance::isRequested(
-      this->Filter->GetOutputInformation(0), irradiance::UpstreamRequest::Alone);
+    const bool isAlone = isRequested(this->Filter->GetOutputInformation(0), UpstreamRequest::Alone);
     return isAlone ? nullptr : this->Filter->GetController();
   }
 
   /// What this process has.
-  irradiance::SceneInputs GetInputs(vtkInformationVector** inputs) const
+  SceneInputs GetInputs(vtkInformationVector** inputs) const
   {
     const int dynamics = inputs[1]->GetNumberOfInformationObjects();
     const int last = this->Poses.empty() ? -1 : this->Poses.rbegin()->first;
     const int first = this->Poses.empty() ? 0 : this->Poses.begin()->first;
-    irradiance::throwIf(first < 0 || last >= dynamics,
-      "there is a transform for dynamic connection ", first < 0 ? first : last,
-      ", but input port 1 has ", dynamics, " connections");
-    irradiance::SceneInputs read;
+    throwIf(first < 0 || last >= dynamics, "there is a transform for dynamic connection ",
+      first < 0 ? first : last, ", but input port 1 has ", dynamics, " connections");
+    SceneInputs read;
     for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i)
     {
       read.statics.push_back(
-        irradiance::staticConnection(this->Filter, i, vtkDataObject::GetData(inputs[0], i)));
+        staticConnection(this->Filter, i, vtkDataObject::GetData(inputs[0], i)));
     }
     for (int i = 0; i < dynamics; ++i)
     {
       read.dynamics.push_back(
-        irradiance::dynamicConnection(this->Filter, i, vtkDataObject::GetData(inputs[1], i),
+        dynamicConnection(this->Filter, i, vtkDataObject::GetData(inputs[1], i),
           this->Filter->GetDynamicTransform(i), this->Filter->GetPoseArrayName()));
     }
     return read;
   }
 
   /// Completes what is distributed.
-  void Complete(irradiance::SceneInputs& inputs, irradiance::ControllerRanks& ranks)
+  void Complete(SceneInputs& inputs, ControllerRanks& ranks)
   {
     if (this->Filter->GetDistributedInput())
     {
-      irradiance::throwIf(!this->GetSharing() &&
-          irradiance::ControllerRanks(this->Filter->GetController()).areSeveral(),
+      throwIf(!this->GetSharing() && ControllerRanks(this->Filter->GetController()).areSeveral(),
         "DistributedInput is on, but the processes share the times of a "
         "vtkRadiantExposureFilter, so each needs the whole scene: set it to off, or that "
         "filter's Controller to null");
       this->Pieces.complete(this->Filter, ranks, inputs);
     }
-    irradiance::checkChosenArrays(this->Filter, inputs);
+    checkChosenArrays(this->Filter, inputs);
   }
 
-  void Compute(const irradiance::SceneInputs& inputs, vtkInformation* request,
-    irradiance::Ranks& ranks, vtkMultiBlockDataSet* output, vtkPolyData* walks)
+  void Compute(const SceneInputs& inputs, vtkInformation* request, Ranks& ranks,
+    vtkMultiBlockDataSet* output, vtkPolyData* walks)
   {
-    irradiance::EngineSettings settings = CheckedSettings(this->Filter);
-    const irradiance::WalksRequest shown{ this->Filter->GetNumberOfOutputWalks(),
+    EngineSettings settings = CheckedSettings(this->Filter);
+    const WalksRequest shown{ this->Filter->GetNumberOfOutputWalks(),
       this->Filter->GetOutputWalksPort(), this->Filter->GetOutputWalksConnection(),
       this->Filter->GetOutputWalksCell() };
     ranks.expectSame(shown.hash(), "other output walks than on the first process");
-    irradiance::SmpExecution execution = irradiance::executionOf(this->Filter, &ranks);
+    SmpExecution execution = executionOf(this->Filter, &ranks);
     if (!execution.reportProgress(0)) // an update with nothing to do does not report again
     {
-      throw irradiance::Interrupted();
+      throw Interrupted();
     }
-    const irradiance::CancelPoint reading = irradiance::cancelPointOf(execution, 0);
+    const CancelPoint reading = cancelPointOf(execution, 0);
     if (std::exchange(this->Processes, ranks.count()) != ranks.count())
     {
       // Processes that worked alone may have seen different parts come.
-      this->Scene = irradiance::SceneReader();
+      this->Scene = SceneReader();
     }
     this->Scene.read(inputs, this->Filter->GetDefaultDiffuseReflectance(), reading);
     for (const std::string& warning : this->Scene.takeWarnings())
     {
       vtkWarningWithObjectMacro(this->Filter, << warning);
     }
-    if (settings.cellEstimate == irradiance::CellEstimate::Gathered)
+    if (settings.cellEstimate == CellEstimate::Gathered)
     {
-      irradiance::checkLights(this->Scene.objects(), "Method Gathered",
+      checkLights(this->Scene.objects(), "Method Gathered",
         [&](const auto& cell) { return this->Scene.nameOf(cell, inputs); });
     }
-    const irradiance::LeftToScene left{ this->Filter->GetDirectLight() == AutomaticDirectLight,
+    const LeftToScene left{ this->Filter->GetDirectLight() == AutomaticDirectLight,
       this->Filter->GetCellEstimate() == AutomaticEstimate };
     KeepWhatIsRead(settings, request, shown.count > 0, ranks);
     const auto count = static_cast<std::size_t>(ranks.count());
-    const std::vector<irradiance::LampGroup> groups = this->LampGroups();
+    const std::vector<LampGroup> groups = this->LampGroups();
     try
     {
       this->Groups->update(
         { this->Scene.objects(), groups, this->Scene.groupOfSky(), left, settings,
           [&](const auto& objects, const auto& chosen) {
             settings = chosen;
-            irradiance::requireMemory(objects, chosen, count);
+            requireMemory(objects, chosen, count);
           } },
         execution);
     }
     catch (const std::bad_alloc&)
     {
-      throw std::runtime_error(irradiance::outOfMemory(this->Scene.objects(), settings, count));
+      throw std::runtime_error(outOfMemory(this->Scene.objects(), settings, count));
     }
-    this->Groups->forEachLit([&](const irradiance::LightGroup& group) {
+    this->Groups->forEachLit([&](const LightGroup& group) {
       if (group.engine->reachedRelativeError() > settings.targetRelativeError)
       {
         vtkWarningWithObjectMacro(
@@ -293,25 +288,25 @@ public:
                         << TargetMissed(*group.engine, settings, this->Filter->GetMaximumEffort()));
       }
     });
-    const irradiance::CancelPoint writing = irradiance::cancelPointOf(execution, 1);
+    const CancelPoint writing = cancelPointOf(execution, 1);
     this->WarnOfExcess();
     this->Advise(inputs, writing);
-    irradiance::writeOutput(*this->Groups, this->Scene, inputs,
+    writeOutput(*this->Groups, this->Scene, inputs,
       { this->Filter->GetComputeStandardError() != 0,
-        irradiance::isRequested(request, irradiance::UpstreamRequest::Replicates),
+        isRequested(request, UpstreamRequest::Replicates),
         this->Filter->GetComputeLightGroups() != 0 },
       writing, output);
-    std::vector<irradiance::PieceCells> pieces;
-    for (const irradiance::InputPart* part : irradiance::allPartsOf(inputs))
+    std::vector<PieceCells> pieces;
+    for (const InputPart* part : allPartsOf(inputs))
     {
       pieces.push_back(part->cells);
     }
-    irradiance::PhotonSource::attach(output, this->Groups, std::move(pieces));
+    PhotonSource::attach(output, this->Groups, std::move(pieces));
     if (shown.count > 0)
     {
-      irradiance::ProgressSpan atItsEnd(execution, 1, 1);
-      const irradiance::PhotonSource source(output, "the output", true);
-      irradiance::writeWalks(shown, source, output, atItsEnd, walks);
+      ProgressSpan atItsEnd(execution, 1, 1);
+      const PhotonSource source(output, "the output", true);
+      writeWalks(shown, source, output, atItsEnd, walks);
     }
   }
 
@@ -332,23 +327,23 @@ public:
   vtkTimeStamp Newest;
   irradiance::OldNames OldNames;
   std::array<int, 4> MethodParts = PartsOfMethods[Automatic]; ///< by MethodPart
-  vtkIdType MostWalks = -1; ///< of a target, by its old name; -1: by MaximumEffort
-  int MostRays = -1;        ///< likewise
-  std::map<std::string, irradiance::Bands> Factors; ///< of light groups, by name
+  vtkIdType MostWalks = -1;             ///< of a target, by its old name; -1: by MaximumEffort
+  int MostRays = -1;                    ///< likewise
+  std::map<std::string, Bands> Factors; ///< of light groups, by name
 
 private:
   /// With the factors of the inputs times those of the user.
-  std::vector<irradiance::LampGroup> LampGroups()
+  std::vector<LampGroup> LampGroups()
   {
-    std::vector<irradiance::LampGroup> groups = this->Scene.lampGroups();
+    std::vector<LampGroup> groups = this->Scene.lampGroups();
     std::string unknown;
     for (const auto& [name, factor] : this->Factors)
     {
       const auto group = std::find_if(groups.begin(), groups.end(),
-        [&named = name](const irradiance::LampGroup& some) { return some.name == named; });
+        [&named = name](const LampGroup& some) { return some.name == named; });
       if (group == groups.end())
       {
-        unknown = factor == irradiance::Bands{ { 1, 1, 1 } } ? unknown : name;
+        unknown = factor == Bands{ { 1, 1, 1 } } ? unknown : name;
         continue;
       }
       std::transform(factor.begin(), factor.end(), group->factor.begin(), group->factor.begin(),
@@ -358,7 +353,7 @@ private:
     {
       vtkWarningWithObjectMacro(this->Filter, << "light group " << unknown
                                               << " has a factor, but no input says that it is in a "
-                                              << irradiance::kLightGroup << " of this name");
+                                              << kLightGroup << " of this name");
     }
     return groups;
   }
@@ -367,14 +362,13 @@ private:
   void WarnOfExcess()
   {
     std::string excess;
-    this->Groups->forEachLit([&](const irradiance::LightGroup& group) {
-      const irradiance::IrradianceEngine& engine = *group.engine;
-      for (int band = 0; band < irradiance::Power::kMaxBands && excess.empty(); ++band)
+    this->Groups->forEachLit([&](const LightGroup& group) {
+      const IrradianceEngine& engine = *group.engine;
+      for (int band = 0; band < Power::kMaxBands && excess.empty(); ++band)
       {
-        excess =
-          irradiance::excessWarning(group.shown(engine.watts(engine.balance().emitted[band]), band),
-            group.shown(engine.watts(engine.balance().escaped[band]), band),
-            group.shown(engine.escapedError(band), band));
+        excess = excessWarning(group.shown(engine.watts(engine.balance().emitted[band]), band),
+          group.shown(engine.watts(engine.balance().escaped[band]), band),
+          group.shown(engine.escapedError(band), band));
       }
     });
     if (!std::exchange(this->HasExcess, !excess.empty()) && !excess.empty())
@@ -384,7 +378,7 @@ private:
   }
 
   /// Says what is probably a mistake, unless it said so when the inputs last changed.
-  void Advise(const irradiance::SceneInputs& inputs, const irradiance::CancelPoint& cancelPoint)
+  void Advise(const SceneInputs& inputs, const CancelPoint& cancelPoint)
   {
     if (!this->Scene.hasNews())
     {
@@ -393,9 +387,9 @@ private:
     const bool isDark = this->Groups->all().empty() ||
       (!this->Groups->areSeveral() && !this->Groups->any().hasLights());
     const std::vector<std::string> advice = !isDark
-      ? irradiance::sceneAdvice(inputs, this->Scene, *this->Groups, cancelPoint)
+      ? sceneAdvice(inputs, this->Scene, *this->Groups, cancelPoint)
       : std::vector<std::string>(
-          this->Scene.isUnderSky() ? 0 : 1, irradiance::noLightWarning(this->Filter, inputs));
+          this->Scene.isUnderSky() ? 0 : 1, noLightWarning(this->Filter, inputs));
     this->Scene.forgetNews();
     const std::vector<std::string> before = std::exchange(this->Advice, advice);
     for (const std::string& warning : advice)
@@ -409,10 +403,10 @@ private:
 
   vtkIrradianceFilter* Filter;
   irradiance::DistributedInput Pieces;
-  irradiance::SceneReader Scene;
+  SceneReader Scene;
   std::uint32_t Processes = 0; ///< that shared the walks when the scene was last read
   /// Shared with the outputs, see PhotonSource.
-  std::shared_ptr<irradiance::LightGroups> Groups = std::make_shared<irradiance::LightGroups>();
+  std::shared_ptr<LightGroups> Groups = std::make_shared<LightGroups>();
   std::string UnknownGroup;        ///< the last that was warned of
   std::vector<std::string> Advice; ///< what was probably a mistake when the inputs last changed
   bool HasExcess = false;          ///< the last update had more light than there is
@@ -424,7 +418,7 @@ vtkIrradianceFilter::vtkIrradianceFilter()
   this->Controller = vtkMultiProcessController::GetGlobalController();
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
-  for (const char* name : irradiance::kArrayNames)
+  for (const char* name : kArrayNames)
   {
     this->SetCellArray(name, name);
   }
@@ -458,7 +452,7 @@ vtkLinearTransform* vtkIrradianceFilter::GetDynamicTransform(int i)
 void vtkIrradianceFilter::SetLightGroupFactor(
   const char* group, double first, double second, double third)
 {
-  const irradiance::Bands factor{ { first, second, third } };
+  const Bands factor{ { first, second, third } };
   const bool isPossible = std::all_of(
     factor.begin(), factor.end(), [](double value) { return value >= 0 && std::isfinite(value); });
   if (!group || !*group || !isPossible)
@@ -477,7 +471,7 @@ void vtkIrradianceFilter::SetLightGroupFactor(
 double vtkIrradianceFilter::GetLightGroupFactor(const char* group, int band)
 {
   const auto found = this->Internals->Factors.find(group ? group : "");
-  const auto i = static_cast<std::size_t>(std::clamp(band, 0, irradiance::Power::kMaxBands - 1));
+  const auto i = static_cast<std::size_t>(std::clamp(band, 0, Power::kMaxBands - 1));
   return found == this->Internals->Factors.end() ? 1 : found->second[i];
 }
 
@@ -513,7 +507,7 @@ void vtkIrradianceFilter::RemoveAllDynamicTransforms()
 
 void vtkIrradianceFilter::SetDynamicMatrix(int i, const double elements[16])
 {
-  this->SetDynamicTransform(i, irradiance::transformOf(elements));
+  this->SetDynamicTransform(i, transformOf(elements));
 }
 
 // ParaView hands over numbers one by one.
@@ -529,7 +523,7 @@ void vtkIrradianceFilter::SetDynamicMatrix(int i, double m00, double m01, double
 void vtkIrradianceFilter::SetCellArray(const char* quantity, const char* name)
 {
   const std::string wanted = quantity ? quantity : "";
-  const auto& all = irradiance::kArrayNames;
+  const auto& all = kArrayNames;
   const auto* const found = std::find(all.begin(), all.end(), wanted);
   if (found == all.end())
   {
@@ -679,7 +673,7 @@ vtkMTimeType vtkIrradianceFilter::InputTime()
   {
     for (int i = 0; i < this->GetNumberOfInputConnections(port); ++i)
     {
-      time = std::max(time, irradiance::upstreamTime(this, port, i));
+      time = std::max(time, upstreamTime(this, port, i));
     }
   }
   return time;
@@ -688,24 +682,19 @@ vtkMTimeType vtkIrradianceFilter::InputTime()
 /// Whether something changed during a run, up to its last progress event, after RequestData.
 bool vtkIrradianceFilter::HasChangedMeanwhile()
 {
-  if (this->Internals->Begun == 0)
-  {
-    return false;
-  }
   vtkDataObject* output = vtkDataObject::GetData(this->GetOutputInformation(0));
-  const vtkMTimeType time = this->InputTime();
+  const vtkMTimeType time = this->Internals->Begun > 0 ? this->InputTime() : 0;
   return output && time > this->Internals->Begun && time <= output->GetUpdateTime();
 }
 
 vtkExecutive* vtkIrradianceFilter::CreateDefaultExecutive()
 {
-  return irradiance::newRanksPipeline(
-    [this] { irradiance::ControllerRanks(this->Internals->GetSharing()).withdraw(); });
+  return newRanksPipeline([this] { ControllerRanks(this->Internals->GetSharing()).withdraw(); });
 }
 
 int vtkIrradianceFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  irradiance::setInputTypes(info, "vtkDataObjectTree", "vtkDataObject");
+  setInputTypes(info, "vtkDataObjectTree", "vtkDataObject");
   info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
@@ -726,7 +715,7 @@ vtkPolyData* vtkIrradianceFilter::GetWalksOutput()
 int vtkIrradianceFilter::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* output)
 {
-  irradiance::uniteTimes(inputs, 2, output);
+  uniteTimes(inputs, 2, output);
   return 1;
 }
 
@@ -735,14 +724,13 @@ int vtkIrradianceFilter::RequestInformation(
 int vtkIrradianceFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  const irradiance::ControllerRanks ranks(this->Internals->GetSharing());
+  const ControllerRanks ranks(this->Internals->GetSharing());
   for (int port = 0; port < 2; ++port)
   {
     for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
     {
       vtkInformation* input = inputs[port]->GetInformationObject(i);
-      this->DistributedInput ? irradiance::requestPiece(input, ranks)
-                             : irradiance::requestWhole(input);
+      this->DistributedInput ? requestPiece(input, ranks) : requestWhole(input);
     }
   }
   return 1;
@@ -764,7 +752,7 @@ int vtkIrradianceFilter::RequestData(
   {
     this->Internals->Begun = this->InputTime();
   }
-  irradiance::ControllerRanks ranks(this->Internals->GetSharing());
+  ControllerRanks ranks(this->Internals->GetSharing());
   const auto compute = [&] {
     ranks.expectSame((isUnused ? 1 : 0) + (this->DistributedInput ? 2 : 0),
       "other inputs than on the first process");
@@ -772,9 +760,9 @@ int vtkIrradianceFilter::RequestData(
     {
       return;
     }
-    irradiance::SceneInputs read = this->Internals->GetInputs(inputs);
+    SceneInputs read = this->Internals->GetInputs(inputs);
     this->Internals->Complete(read, ranks);
-    const bool isLaterPiece = irradiance::isEmptyPieceRequested(asked);
+    const bool isLaterPiece = isEmptyPieceRequested(asked);
     const bool isEmpty = isLaterPiece && !this->DistributedInput;
     if (!isEmpty || ranks.areSeveral())
     {
@@ -783,8 +771,7 @@ int vtkIrradianceFilter::RequestData(
     if (isEmpty)
     {
       output->Initialize();
-      irradiance::writeEmptyOutput(
-        read, CheckedSettings(this), this->ComputeStandardError != 0, output);
+      writeEmptyOutput(read, CheckedSettings(this), this->ComputeStandardError != 0, output);
     }
     if (isLaterPiece)
     {
@@ -797,7 +784,7 @@ int vtkIrradianceFilter::RequestData(
         ->Set(vtkDataObject::DATA_TIME_STEP(), *time);
     }
   };
-  return irradiance::runFilter(this, output, compute, &ranks);
+  return runFilter(this, output, compute, &ranks);
 }
 
 void vtkIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)

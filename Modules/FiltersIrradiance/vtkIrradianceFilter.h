@@ -113,10 +113,8 @@ public:
   /// Removes the inputs of port 1; the poses stay.
   void RemoveAllDynamicInputs() { this->RemoveAllInputConnections(1); }
 
-  /**
-   * From which cell array a quantity is read. `quantity`: a default name of the table above, such
-   * as "DiffuseReflectance"; another is an error. `name`: empty, null or "None": from none.
-   */
+  /// From which cell array a quantity is read. `quantity`: a default name of the table above, such
+  /// as "DiffuseReflectance"; another is an error. `name`: empty, null or "None": from none.
   void SetCellArray(const char* quantity, const char* name);
 
   /// @{
@@ -284,10 +282,8 @@ public:
   vtkMultiProcessController* GetController();
   /// @}
 
-  /**
-   * A figure of the output's field data, such as "EmittedPower", summed over bands; W, seconds,
-   * bytes; NaN where there is none.
-   */
+  /// A figure of the output's field data, such as "EmittedPower", summed over bands; W, seconds,
+  /// bytes; NaN where there is none.
   double GetFigure(const char* name);
 
   /// @name Advanced
@@ -493,9 +489,6 @@ protected:
   vtkSmartPointer<vtkMultiProcessController> Controller;
 
 private:
-  vtkIrradianceFilter(const vtkIrradianceFilter&) = delete;
-  void operator=(const vtkIrradianceFilter&) = delete;
-
   vtkMTimeType OwnTime();
   vtkMTimeType InputTime();
   bool HasChangedMeanwhile();

@@ -22,6 +22,8 @@
 #include <string>
 #include <vector>
 
+using namespace irradiance;
+
 vtkStandardNewMacro(vtkIrradianceProbeFilter);
 
 namespace
@@ -34,28 +36,28 @@ vtkDataArray* NormalsOf(vtkDataSet* input)
   return normals ? normals : input->GetPointData()->GetArray("Normals");
 }
 
-void FailIf(bool isWrong, vtkIdType point, const char* what, const irradiance::Vector3& value)
+void FailIf(bool isWrong, vtkIdType point, const char* what, const Vector3& value)
 {
-  irradiance::throwIf(isWrong, "the sensors, point ", point, ": the ", what, " (", value[0], ", ",
-    value[1], ", ", value[2], ") is ", value.allFinite() ? "of length 0" : "not finite");
+  throwIf(isWrong, "the sensors, point ", point, ": the ", what, " (", value[0], ", ", value[1],
+    ", ", value[2], ") is ", value.allFinite() ? "of length 0" : "not finite");
 }
 
 /// All points. Without normals they receive from all directions. Throws InputError.
-std::vector<irradiance::Sensor> ReadSensors(
+std::vector<Sensor> ReadSensors(
   vtkIrradianceProbeFilter* filter, vtkDataSet* input, vtkDataArray* normals)
 {
-  irradiance::throwIf(filter->GetEstimate() == vtkIrradianceProbeFilter::Nearest && !normals &&
+  throwIf(filter->GetEstimate() == vtkIrradianceProbeFilter::Nearest && !normals &&
       input->GetNumberOfPoints() > 0,
     "the sensors have no point normals: with Estimate Nearest a sensor needs the direction from "
     "which it receives light (vtkPolyDataNormals computes normals of surfaces). Estimate "
     "Gathered finds the fluence rate, from all directions, without them");
   const int components = normals ? normals->GetNumberOfComponents() : 3;
-  irradiance::throwIf(components != 3, "the normals of the sensors have ", components,
+  throwIf(components != 3, "the normals of the sensors have ", components,
     " components; three are needed");
-  std::vector<irradiance::Sensor> sensors(static_cast<std::size_t>(input->GetNumberOfPoints()));
+  std::vector<Sensor> sensors(static_cast<std::size_t>(input->GetNumberOfPoints()));
   for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
   {
-    irradiance::Sensor& sensor = sensors[static_cast<std::size_t>(i)];
+    Sensor& sensor = sensors[static_cast<std::size_t>(i)];
     input->GetPoint(i, sensor.position.data());
     FailIf(!sensor.position.allFinite(), i, "position", sensor.position);
     sensor.normal.setZero();
@@ -73,7 +75,7 @@ std::vector<irradiance::Sensor> ReadSensors(
 /// No property but 0, which stands for a default, may be other than positive.
 void CheckPositive(const char* name, double value)
 {
-  irradiance::throwIf(
+  throwIf(
     !(value >= 0), name, " is ", value, "; it has to be positive, or 0 for what suits the scene");
 }
 
@@ -93,7 +95,7 @@ void SetDataTime(vtkInformation* info, vtkDataSet* output)
 class vtkIrradianceProbeFilter::vtkInternals
 {
 public:
-  irradiance::GroupSensors Stored;
+  GroupSensors Stored;
   irradiance::OldNames OldNames;
 };
 
@@ -123,7 +125,7 @@ vtkDataObject* vtkIrradianceProbeFilter::GetSource()
 int vtkIrradianceProbeFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
   port == 0 ? info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet")
-            : irradiance::setInputTypes(info, "vtkMultiBlockDataSet", "vtkDataObject");
+            : void(setInputTypes(info, "vtkMultiBlockDataSet", "vtkDataObject"));
   return 1;
 }
 
@@ -133,14 +135,14 @@ vtkTypeBool vtkIrradianceProbeFilter::ProcessRequest(
   const vtkTypeBool result = this->Superclass::ProcessRequest(request, inputs, outputs);
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()) != 0)
   {
-    irradiance::uniteTimes(inputs, 2, outputs);
+    uniteTimes(inputs, 2, outputs);
   }
   if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()) != 0)
   {
-    irradiance::request(inputs[1]->GetInformationObject(0), irradiance::UpstreamRequest::Photons,
-      this->Estimate == Nearest);
+    irradiance::request(
+      inputs[1]->GetInformationObject(0), UpstreamRequest::Photons, this->Estimate == Nearest);
     // All sensors belong to piece 0, as the whole scene does.
-    irradiance::requestWhole(inputs[0]->GetInformationObject(0));
+    requestWhole(inputs[0]->GetInformationObject(0));
   }
   return result;
 }
@@ -150,21 +152,19 @@ void vtkIrradianceProbeFilter::Compute(vtkDataSet* input, vtkDataObject* scene, 
   CheckPositive("MaximumRadius", this->MaximumRadius);
   CheckPositive("MaximumDistance", this->MaximumDistance);
   vtkDataArray* normals = NormalsOf(input);
-  const std::vector<irradiance::Sensor> sensors = ReadSensors(this, input, normals);
+  const std::vector<Sensor> sensors = ReadSensors(this, input, normals);
   const bool gathers = this->Estimate == Gathered;
-  const irradiance::PhotonSource source(scene, "the source", !gathers);
-  irradiance::SmpExecution execution = irradiance::executionOf(this);
+  const PhotonSource source(scene, "the source", !gathers);
+  SmpExecution execution = executionOf(this);
   output->ShallowCopy(input);
-  const std::vector<irradiance::LightGroup>& groups = source.groups()->all();
-  const bool areApart = !groups.empty() && irradiance::haveGroup(scene, groups.front().name);
-  const irradiance::SensorRun run{ sensors, *source.groups(), execution, output, areApart };
+  const std::vector<LightGroup>& groups = source.groups()->all();
+  const bool areApart = !groups.empty() && haveGroup(scene, groups.front().name);
+  const SensorRun run{ sensors, *source.groups(), execution, output, areApart };
   const int bands = source.bands();
   const std::string warning = gathers
-    ? irradiance::gatherLight(run,
-        irradiance::addGatheredLight(
-          output, bands, normals != nullptr, irradiance::haveErrors(scene)),
+    ? gatherLight(run, addGatheredLight(output, bands, normals != nullptr, haveErrors(scene)),
         static_cast<std::uint32_t>(this->NumberOfRays), this->Internals->Stored)
-    : irradiance::measureNearestLight(run, static_cast<std::uint32_t>(this->NumberOfPhotons),
+    : measureNearestLight(run, static_cast<std::uint32_t>(this->NumberOfPhotons),
         this->MaximumRadius, this->MaximumDistance);
   if (!warning.empty())
   {
@@ -179,26 +179,25 @@ int vtkIrradianceProbeFilter::RequestData(
   vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
   vtkDataObject* scene = vtkDataObject::GetData(inputs[1], 0);
   vtkInformation* info = outputs->GetInformationObject(0);
-  return irradiance::runFilter(this, output, [&] {
+  return runFilter(this, output, [&] {
     // What could not be computed has no blocks: that is an error on all processes.
     auto* blocks = vtkMultiBlockDataSet::SafeDownCast(scene);
     const bool isComputed = blocks && blocks->GetNumberOfBlocks() > 0;
-    if (!isComputed || !irradiance::isEmptyPieceRequested(info))
+    if (!isComputed || !isEmptyPieceRequested(info))
     {
       this->Compute(input, scene, output);
     }
     else
     {
-      irradiance::copyEmptyArrays(input, output);
-      const int bands = irradiance::bandsOf(scene);
+      copyEmptyArrays(input, output);
+      const int bands = bandsOf(scene);
       if (this->Estimate == Nearest)
       {
-        irradiance::addNearestLight(output, bands);
+        addNearestLight(output, bands);
       }
       else
       {
-        irradiance::addGatheredLight(
-          output, bands, NormalsOf(input) != nullptr, irradiance::haveErrors(scene));
+        addGatheredLight(output, bands, NormalsOf(input) != nullptr, haveErrors(scene));
       }
     }
     SetDataTime(info, output);

@@ -188,9 +188,6 @@ protected:
 private:
   class vtkInternals;
 
-  vtkIrradianceProbeFilter(const vtkIrradianceProbeFilter&) = delete;
-  void operator=(const vtkIrradianceProbeFilter&) = delete;
-
   void Compute(vtkDataSet* sensors, vtkDataObject* source, vtkDataSet* output);
 
   std::unique_ptr<vtkInternals> Internals;

@@ -29,33 +29,34 @@
 #include <optional>
 #include <utility>
 
+using namespace irradiance;
+
 vtkStandardNewMacro(vtkKeyFramedPose);
 
 namespace
 {
 
 /// None: the part is not there.
-using OptionalPose = std::optional<irradiance::AffineMap>;
+using OptionalPose = std::optional<AffineMap>;
 
 void PassOnLeaf(const std::string& name, vtkDataObject* data, const OptionalPose& worldFromInput,
   vtkPolyData* output)
 {
   auto* input = vtkPolyData::SafeDownCast(data);
-  irradiance::throwIf(!input, name, " is ", data ? "a " : "null", data ? data->GetClassName() : "",
+  throwIf(!input, name, " is ", data ? "a " : "null", data ? data->GetClassName() : "",
     "; only vtkPolyData can have a pose (vtkGeometryFilter makes one of most data)");
   if (!worldFromInput)
   {
-    irradiance::copyEmptyArrays(input, output);
+    copyEmptyArrays(input, output);
     output->GetFieldData()->ShallowCopy(input->GetFieldData());
-    output->GetFieldData()->RemoveArray(irradiance::kFieldPoseName);
+    output->GetFieldData()->RemoveArray(kFieldPoseName);
     return;
   }
   output->ShallowCopy(input);
-  irradiance::notePassedGeometry(output, input);
-  const irradiance::AffineMap pose =
-    irradiance::composed(*worldFromInput, irradiance::poseOf(name, input->GetFieldData()));
-  irradiance::addArray<vtkDoubleArray>(output->GetFieldData(), irradiance::kFieldPoseName, 16, 1)
-    ->SetTypedTuple(0, irradiance::matrixOf(pose).data());
+  notePassedGeometry(output, input);
+  const AffineMap pose = composed(*worldFromInput, poseOf(name, input->GetFieldData()));
+  addArray<vtkDoubleArray>(output->GetFieldData(), kFieldPoseName, 16, 1)
+    ->SetTypedTuple(0, matrixOf(pose).data());
 }
 
 void PassOn(vtkDataObject* input, OptionalPose worldFromInput, vtkDataObject* output)
@@ -69,15 +70,13 @@ void PassOn(vtkDataObject* input, OptionalPose worldFromInput, vtkDataObject* ou
   }
   if (worldFromInput)
   {
-    worldFromInput =
-      irradiance::composed(*worldFromInput, irradiance::poseOf(name, tree->GetFieldData()));
+    worldFromInput = composed(*worldFromInput, poseOf(name, tree->GetFieldData()));
   }
   output->ShallowCopy(tree);
-  output->GetFieldData()->RemoveArray(irradiance::kFieldPoseName);
-  irradiance::forEachLeaf(tree, [&](vtkDataObjectTreeIterator* leaf) {
+  output->GetFieldData()->RemoveArray(kFieldPoseName);
+  forEachLeaf(tree, [&](vtkDataObjectTreeIterator* leaf) {
     vtkNew<vtkPolyData> passed;
-    PassOnLeaf(name + ", " + irradiance::leafName(leaf), leaf->GetCurrentDataObject(),
-      worldFromInput, passed);
+    PassOnLeaf(name + ", " + leafName(leaf), leaf->GetCurrentDataObject(), worldFromInput, passed);
     vtkDataObjectTree::SafeDownCast(output)->SetDataSet(leaf, passed);
   });
 }
@@ -106,7 +105,7 @@ public:
     {
       this->Keys = this->ReadKeys();
     }
-    catch (const irradiance::InputError& error)
+    catch (const InputError& error)
     {
       this->Error = error.what();
     }
@@ -116,15 +115,12 @@ public:
   /// None if the part is not there.
   OptionalPose PoseAt(double time) const
   {
-    if (time >= this->Keys.begin() && time <= this->Keys.end())
-    {
-      return this->Keys.at(time);
-    }
-    if (this->Filter->GetOutsideOfKeys() == Leave)
+    const bool isOutside = !(time >= this->Keys.begin() && time <= this->Keys.end());
+    if (isOutside && this->Filter->GetOutsideOfKeys() == Leave)
     {
       return std::nullopt;
     }
-    irradiance::throwIf(this->Filter->GetOutsideOfKeys() != Hold || std::isnan(time),
+    throwIf(isOutside && (this->Filter->GetOutsideOfKeys() != Hold || std::isnan(time)),
       "the keys are from ", this->Keys.begin(), " to ", this->Keys.end(), ", and the time ", time,
       " is asked for (OutsideOfKeys says what to do then)");
     return this->Keys.at(std::clamp(time, this->Keys.begin(), this->Keys.end()));
@@ -132,49 +128,46 @@ public:
 
   /// Times and matrices, as they were added.
   std::vector<std::pair<double, std::array<double, 16>>> Added;
-  irradiance::KeyFrames Keys;
+  KeyFrames Keys;
   std::string Error;      ///< why there are no keys
   bool IsAborted = false; ///< in RequestInformation
 
 private:
-  std::vector<irradiance::KeyFrame> AddedKeys(const std::function<void(double)>& report) const
+  std::vector<KeyFrame> AddedKeys(const std::function<void(double)>& report) const
   {
-    std::vector<irradiance::KeyFrame> keys;
-    const irradiance::CancelPoint cancelPoint = [&] {
+    std::vector<KeyFrame> keys;
+    const CancelPoint cancelPoint = [&] {
       report(static_cast<double>(keys.size()) / static_cast<double>(this->Added.size()));
     };
-    irradiance::ThrottledCancelPoint pace(cancelPoint);
+    ThrottledCancelPoint pace(cancelPoint);
     for (const auto& [time, matrix] : this->Added)
     {
       pace.step();
       const std::string name = "pose " + std::to_string(keys.size());
-      keys.push_back({ name, time, irradiance::poseOf(name, matrix.data()) });
+      keys.push_back({ name, time, poseOf(name, matrix.data()) });
     }
     std::stable_sort(keys.begin(), keys.end(),
-      [](const irradiance::KeyFrame& a, const irradiance::KeyFrame& b) { return a.time < b.time; });
+      [](const KeyFrame& a, const KeyFrame& b) { return a.time < b.time; });
     return keys;
   }
 
-  irradiance::KeyFrames ReadKeys() const
+  KeyFrames ReadKeys() const
   {
     const char* const file = this->Filter->GetFileName();
     const bool hasFile = file && *file;
-    irradiance::throwIf(hasFile && !this->Added.empty(), "FileName is ", file, ", and ",
-      this->Added.size(), " poses were added; only one of the two is possible (RemoveAllPoses)");
-    irradiance::SmpExecution execution = irradiance::executionOf(this->Filter);
+    throwIf(hasFile && !this->Added.empty(), "FileName is ", file, ", and ", this->Added.size(),
+      " poses were added; only one of the two is possible (RemoveAllPoses)");
+    SmpExecution execution = executionOf(this->Filter);
     const auto report = [&](double progress) {
       if (!execution.reportProgress(progress))
       {
-        throw irradiance::Interrupted();
+        throw Interrupted();
       }
     };
-    std::vector<irradiance::KeyFrame> keys =
-      hasFile ? irradiance::readKeyFrames(file, report) : this->AddedKeys(report);
-    irradiance::throwIf(keys.size() < 2,
-      hasFile ? irradiance::joined("the file ", file, " has ") : "there is ",
+    std::vector<KeyFrame> keys = hasFile ? readKeyFrames(file, report) : this->AddedKeys(report);
+    throwIf(keys.size() < 2, hasFile ? joined("the file ", file, " has ") : "there is ",
       keys.empty() ? "no pose" : "one pose alone", "; two at least are needed");
-    return { std::move(keys),
-      static_cast<irradiance::KeyInterpolation>(this->Filter->GetInterpolationType()),
+    return { std::move(keys), static_cast<KeyInterpolation>(this->Filter->GetInterpolationType()),
       [&] { report(1); } };
   }
 
@@ -201,7 +194,7 @@ void vtkKeyFramedPose::AddPose(
 
 void vtkKeyFramedPose::AddPose(double time, const double position[3], const double orientation[3])
 {
-  this->AddPoseMatrix(time, irradiance::propMatrix(position, orientation).data());
+  this->AddPoseMatrix(time, propMatrix(position, orientation).data());
 }
 
 void vtkKeyFramedPose::AddPoseMatrix(double time, double m00, double m01, double m02, double m03,
@@ -246,8 +239,7 @@ int vtkKeyFramedPose::GetNumberOfPoses()
 
 int vtkKeyFramedPose::FillInputPortInformation(int, vtkInformation* info)
 {
-  irradiance::setInputTypes(info, "vtkDataObjectTree", "vtkDataObject");
-  return 1;
+  return setInputTypes(info, "vtkDataObjectTree", "vtkDataObject");
 }
 
 vtkPolyData* vtkKeyFramedPose::GetOutput()
@@ -262,16 +254,16 @@ int vtkKeyFramedPose::RequestInformation(
   this->Internals->IsAborted = false;
   try
   {
-    irradiance::forgetAbort(this);
+    forgetAbort(this);
     this->Internals->Update(); // what is wrong is said once, when the data are asked for
-    const irradiance::KeyFrames& keys = this->Internals->Keys;
+    const KeyFrames& keys = this->Internals->Keys;
     steps = keys.isEmpty() ? steps : keys.steps(this->NumberOfTimeSteps);
   }
-  catch (const irradiance::Interrupted&)
+  catch (const Interrupted&)
   {
     this->Internals->IsAborted = true;
   }
-  irradiance::uniteTimes(inputs, 1, output, steps);
+  uniteTimes(inputs, 1, output, steps);
   return 1;
 }
 
@@ -280,13 +272,13 @@ int vtkKeyFramedPose::RequestData(
 {
   vtkDataObject* output = vtkDataObject::GetData(outputs);
   vtkInformation* info = outputs->GetInformationObject(0);
-  return irradiance::runFilter(this, output, [&] {
+  return runFilter(this, output, [&] {
     if (std::exchange(this->Internals->IsAborted, false))
     {
-      throw irradiance::Interrupted();
+      throw Interrupted();
     }
     this->Internals->Update();
-    irradiance::throwIf(!this->Internals->Error.empty(), this->Internals->Error);
+    throwIf(!this->Internals->Error.empty(), this->Internals->Error);
     auto* timeKey = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
     const double time = info->Has(timeKey) ? info->Get(timeKey) : this->Internals->Keys.begin();
     PassOn(vtkDataObject::GetData(inputs[0]), this->Internals->PoseAt(time), output);

@@ -154,9 +154,6 @@ protected:
   int NumberOfTimeSteps = 100;
 
 private:
-  vtkKeyFramedPose(const vtkKeyFramedPose&) = delete;
-  void operator=(const vtkKeyFramedPose&) = delete;
-
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
 };

@@ -16,36 +16,37 @@
 
 #include <string>
 
+using namespace irradiance;
+
 vtkStandardNewMacro(vtkLuminaireReader);
 
 namespace
 {
 
 /// The watts in a unit of the table.
-double WattsOf(const irradiance::PhotometricFile& file, const char* name, double efficacy)
+double WattsOf(const PhotometricFile& file, const char* name, double efficacy)
 {
   constexpr double most = 683.002; // lm/W, by the definition of the lumen, at 555 nm
-  irradiance::throwIf(!(efficacy >= 0 && efficacy <= most), "LuminousEfficacy is ", efficacy,
+  throwIf(!(efficacy >= 0 && efficacy <= most), "LuminousEfficacy is ", efficacy,
     "; 0 to 683.002 lm/W are possible");
-  irradiance::throwIf(!file.isRadiometric() && efficacy == 0, name,
+  throwIf(!file.isRadiometric() && efficacy == 0, name,
     " gives candela; set LuminousEfficacy, the lumens in a watt of the lamp's light (some 300 for "
     "white LEDs, 683 at 555 nm)");
   return file.isRadiometric() ? 1 : 1 / efficacy;
 }
 
-void WriteOpening(const irradiance::PhotometricFile& file, vtkPolyData* output)
+void WriteOpening(const PhotometricFile& file, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> cells;
-  const bool isPoint = file.opening.shape == irradiance::LuminousOpening::Shape::Point;
-  const std::vector<irradiance::Facet> facets = isPoint
-    ? std::vector<irradiance::Facet>{ { irradiance::Vector3::Zero() } }
-    : irradiance::litFacets(file.opening, file.table);
-  for (const irradiance::Facet& facet : facets)
+  const bool isPoint = file.opening.shape == LuminousOpening::Shape::Point;
+  const std::vector<Facet> facets =
+    isPoint ? std::vector<Facet>{ { Vector3::Zero() } } : litFacets(file.opening, file.table);
+  for (const Facet& facet : facets)
   {
     cells->InsertNextCell(static_cast<int>(facet.size()));
-    for (const irradiance::Vector3& point : facet)
+    for (const Vector3& point : facet)
     {
       cells->InsertCellPoint(points->InsertNextPoint(point.data()));
     }
@@ -55,12 +56,10 @@ void WriteOpening(const irradiance::PhotometricFile& file, vtkPolyData* output)
 }
 
 /// Where it is active, vtkTransformPolyDataFilter turns it.
-void AddDirection(
-  vtkPolyData* output, const char* name, int attribute, const irradiance::Vector3& d)
+void AddDirection(vtkPolyData* output, const char* name, int attribute, const Vector3& d)
 {
   vtkCellData* cells = output->GetCellData();
-  const auto array =
-    irradiance::addArray<vtkDoubleArray>(cells, name, 3, output->GetNumberOfCells());
+  const auto array = addArray<vtkDoubleArray>(cells, name, 3, output->GetNumberOfCells());
   for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
   {
     array->SetTypedTuple(cell, d.data());
@@ -82,17 +81,16 @@ vtkLuminaireReader::~vtkLuminaireReader()
 
 int vtkLuminaireReader::CanReadFile(const char* fileName)
 {
-  return fileName && irradiance::isPhotometricFile(fileName) ? 1 : 0;
+  return fileName && isPhotometricFile(fileName) ? 1 : 0;
 }
 
 int vtkLuminaireReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  return irradiance::runFilter(this, output, [&] {
-    irradiance::throwIf(!this->FileName || !*this->FileName, "there is no FileName");
-    irradiance::PhotometricFile file =
-      irradiance::readPhotometricFile(this->FileName, this->LampSet);
+  return runFilter(this, output, [&] {
+    throwIf(!this->FileName || !*this->FileName, "there is no FileName");
+    PhotometricFile file = readPhotometricFile(this->FileName, this->LampSet);
     file.table.scale(WattsOf(file, this->FileName, this->LuminousEfficacy));
     if (file.isRadiometric() && this->LuminousEfficacy != 0)
     {
@@ -107,14 +105,14 @@ int vtkLuminaireReader::RequestData(
     AddDirection(output, "LampAxis", vtkDataSetAttributes::NORMALS, file.table.axis);
     AddDirection(output, "LampReference", vtkDataSetAttributes::VECTORS, file.table.reference);
     vtkFieldData* fields = output->GetFieldData();
-    irradiance::addColumn(fields, "RadiantIntensity", file.table.values);
-    irradiance::addColumn(fields, "PolarAngles", file.table.polar);
-    irradiance::addColumn(fields, "AzimuthAngles", file.table.azimuth);
-    irradiance::addColumn(fields, "Flux", { file.table.flux() });
-    irradiance::addText(fields, "LuminousShape", file.opening.name());
-    irradiance::addText(fields, "IntensityUnit", file.unit);
-    irradiance::addText(fields, "Luminaire", file.luminaire);
-    irradiance::addText(fields, "Manufacturer", file.manufacturer);
+    addColumn(fields, "RadiantIntensity", file.table.values);
+    addColumn(fields, "PolarAngles", file.table.polar);
+    addColumn(fields, "AzimuthAngles", file.table.azimuth);
+    addColumn(fields, "Flux", { file.table.flux() });
+    addText(fields, "LuminousShape", file.opening.name());
+    addText(fields, "IntensityUnit", file.unit);
+    addText(fields, "Luminaire", file.luminaire);
+    addText(fields, "Manufacturer", file.manufacturer);
   });
 }
 

@@ -84,10 +84,6 @@ protected:
   char* FileName = nullptr;
   double LuminousEfficacy = 0;
   int LampSet = 0;
-
-private:
-  vtkLuminaireReader(const vtkLuminaireReader&) = delete;
-  void operator=(const vtkLuminaireReader&) = delete;
 };
 
 #endif

@@ -25,17 +25,18 @@
 #include <utility>
 #include <vector>
 
+using namespace irradiance;
+
 vtkStandardNewMacro(vtkOutgoingRadianceFilter);
 
 /// What does not depend on the eye is kept while the camera moves.
 class vtkOutgoingRadianceFilter::vtkInternals
 {
 public:
-  using Light = irradiance::OutgoingRadiance::Light;
+  using Light = OutgoingRadiance::Light;
 
   /// Needed before at().
-  void Prepare(const std::shared_ptr<irradiance::LightGroups>& groups, int samples,
-    irradiance::Execution& execution)
+  void Prepare(const std::shared_ptr<LightGroups>& groups, int samples, Execution& execution)
   {
     if (this->Groups == groups && this->State == groups->state() && this->Samples == samples)
     {
@@ -43,9 +44,9 @@ public:
     }
     this->Radiances.clear();
     this->Groups.reset(); // until all is prepared
-    groups->forEachLit([&](const irradiance::LightGroup& group) {
+    groups->forEachLit([&](const LightGroup& group) {
       this->Radiances.emplace_back(group,
-        std::make_unique<irradiance::OutgoingRadiance>(
+        std::make_unique<OutgoingRadiance>(
           *group.engine, static_cast<std::uint32_t>(samples), execution));
     });
     this->Groups = groups;
@@ -54,8 +55,7 @@ public:
   }
 
   /// Of all groups. May be called by several threads.
-  std::vector<Light> At(
-    const std::vector<irradiance::SceneCell>& cells, const irradiance::Eye& eye) const
+  std::vector<Light> At(const std::vector<SceneCell>& cells, const Eye& eye) const
   {
     std::vector<Light> sums(cells.size());
     for (const auto& [group, radiance] : this->Radiances)
@@ -63,7 +63,7 @@ public:
       const std::vector<Light> lights = radiance->at(cells, eye);
       for (std::size_t i = 0; i < sums.size(); ++i)
       {
-        for (int band = 0; band < irradiance::Power::kMaxBands; ++band)
+        for (int band = 0; band < Power::kMaxBands; ++band)
         {
           const auto at = static_cast<std::size_t>(band);
           double& error = sums[i].standardError[at];
@@ -76,9 +76,8 @@ public:
   }
 
 private:
-  std::vector<std::pair<irradiance::LightGroup, std::unique_ptr<irradiance::OutgoingRadiance>>>
-    Radiances;
-  std::shared_ptr<irradiance::LightGroups> Groups;
+  std::vector<std::pair<LightGroup, std::unique_ptr<OutgoingRadiance>>> Radiances;
+  std::shared_ptr<LightGroups> Groups;
   std::uint64_t State = 0;
   int Samples = 0;
 };
@@ -86,56 +85,54 @@ private:
 namespace
 {
 
-irradiance::Eye EyeOf(vtkOutgoingRadianceFilter* filter)
+Eye EyeOf(vtkOutgoingRadianceFilter* filter)
 {
-  irradiance::Eye eye;
+  Eye eye;
   filter->GetEyePosition(eye.position.data());
   if (vtkCamera* camera = filter->GetCamera())
   {
     eye.isFar = camera->GetParallelProjection() != 0;
     eye.isFar ? camera->GetDirectionOfProjection(eye.position.data())
               : camera->GetPosition(eye.position.data());
-    eye.position = eye.isFar ? irradiance::Vector3(-eye.position) : eye.position;
+    eye.position = eye.isFar ? Vector3(-eye.position) : eye.position;
   }
-  irradiance::throwIf(!eye.position.allFinite(), "the eye is at (", eye.position[0], ", ",
-    eye.position[1], ", ", eye.position[2], "), which is not finite");
+  throwIf(!eye.position.allFinite(), "the eye is at (", eye.position[0], ", ", eye.position[1],
+    ", ", eye.position[2], "), which is not finite");
   return eye;
 }
 
 /// Adds the arrays of a part.
-irradiance::LightArrays AddArrays(vtkPolyData* output, int bands, bool haveErrors)
+LightArrays AddArrays(vtkPolyData* output, int bands, bool haveErrors)
 {
   vtkCellData* cells = output->GetCellData();
-  const irradiance::LightArrays arrays(
-    cells, irradiance::kRadiance, bands, output->GetNumberOfCells(), haveErrors);
-  cells->SetActiveScalars(irradiance::kRadiance);
+  const LightArrays arrays(cells, kRadiance, bands, output->GetNumberOfCells(), haveErrors);
+  cells->SetActiveScalars(kRadiance);
   return arrays;
 }
 
 /// Without cells, see isEmptyPieceRequested().
 void WriteEmpty(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)
 {
-  irradiance::emptyLeaves(input, output, [input](vtkPolyData* empty) {
-    AddArrays(empty, irradiance::bandsOf(empty), irradiance::haveErrors(input));
-  });
+  emptyLeaves(input, output,
+    [input](vtkPolyData* empty) { AddArrays(empty, bandsOf(empty), haveErrors(input)); });
 }
 
 /// Some cells of a part.
 struct Unit
 {
-  irradiance::LightArrays arrays;
-  irradiance::PartCells cells;
+  LightArrays arrays;
+  PartCells cells;
   vtkIdType begin, end; ///< of the part
 };
 
 /// `size`: cells of each.
-std::vector<Unit> MakeUnits(const irradiance::PhotonSource& source, vtkIdType size, bool haveErrors,
-  vtkMultiBlockDataSet* output)
+std::vector<Unit> MakeUnits(
+  const PhotonSource& source, vtkIdType size, bool haveErrors, vtkMultiBlockDataSet* output)
 {
   const int bands = source.bands();
   std::vector<Unit> units;
-  source.forEachPart(output, [&](vtkPolyData* polyData, const irradiance::PartCells& cells) {
-    const irradiance::LightArrays arrays = AddArrays(polyData, bands, haveErrors);
+  source.forEachPart(output, [&](vtkPolyData* polyData, const PartCells& cells) {
+    const LightArrays arrays = AddArrays(polyData, bands, haveErrors);
     for (vtkIdType begin = 0; begin < polyData->GetNumberOfCells(); begin += size)
     {
       units.push_back(
@@ -169,30 +166,28 @@ vtkMTimeType vtkOutgoingRadianceFilter::GetMTime()
 
 int vtkOutgoingRadianceFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  irradiance::setInputTypes(info, "vtkMultiBlockDataSet", "vtkDataObject");
-  return 1;
+  return setInputTypes(info, "vtkMultiBlockDataSet", "vtkDataObject");
 }
 
 void vtkOutgoingRadianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)
 {
-  const irradiance::Eye eye = EyeOf(this);
-  const irradiance::PhotonSource source(input, "the input", false);
-  irradiance::SmpExecution execution = irradiance::executionOf(this);
+  const Eye eye = EyeOf(this);
+  const PhotonSource source(input, "the input", false);
+  SmpExecution execution = executionOf(this);
   this->Internals->Prepare(source.groups(), this->NumberOfSpecularSamples, execution);
-  irradiance::copyLeaves(input, output);
+  copyLeaves(input, output);
   constexpr int raysTogether = 4096;
   const vtkIdType cellsTogether = std::max(1, raysTogether / this->NumberOfSpecularSamples);
-  const std::vector<Unit> units =
-    MakeUnits(source, cellsTogether, irradiance::haveErrors(input), output);
-  irradiance::forEachSliced(units.size(), execution, [&](std::size_t i) {
+  const std::vector<Unit> units = MakeUnits(source, cellsTogether, haveErrors(input), output);
+  forEachSliced(units.size(), execution, [&](std::size_t i) {
     const Unit& unit = units[i];
-    std::vector<irradiance::SceneCell> cells;
+    std::vector<SceneCell> cells;
     for (vtkIdType cell = unit.begin; cell < unit.end; ++cell)
     {
       cells.push_back(unit.cells[cell]);
     }
     vtkIdType cell = unit.begin;
-    for (const irradiance::OutgoingRadiance::Light& light : this->Internals->At(cells, eye))
+    for (const OutgoingRadiance::Light& light : this->Internals->At(cells, eye))
     {
       unit.arrays.set(cell++, light);
     }
@@ -204,8 +199,8 @@ int vtkOutgoingRadianceFilter::RequestData(
 {
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs);
   vtkMultiBlockDataSet* input = vtkMultiBlockDataSet::GetData(inputs[0]);
-  return irradiance::runFilter(this, output, [&] {
-    irradiance::PhotonSource::isEmptyPiece(input, outputs->GetInformationObject(0))
+  return runFilter(this, output, [&] {
+    PhotonSource::isEmptyPiece(input, outputs->GetInformationObject(0))
       ? WriteEmpty(input, output)
       : this->Compute(input, output);
   });

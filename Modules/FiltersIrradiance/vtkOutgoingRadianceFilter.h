@@ -94,9 +94,6 @@ protected:
   vtkSmartPointer<vtkCamera> Camera;
 
 private:
-  vtkOutgoingRadianceFilter(const vtkOutgoingRadianceFilter&) = delete;
-  void operator=(const vtkOutgoingRadianceFilter&) = delete;
-
   void Compute(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output);
 
   class vtkInternals;

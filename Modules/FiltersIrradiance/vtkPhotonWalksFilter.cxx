@@ -12,18 +12,19 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+using namespace irradiance;
+
 vtkStandardNewMacro(vtkPhotonWalksFilter);
 
 int vtkPhotonWalksFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  irradiance::setInputTypes(info, "vtkMultiBlockDataSet", "vtkDataObject");
-  return 1;
+  return setInputTypes(info, "vtkMultiBlockDataSet", "vtkDataObject");
 }
 
 int vtkPhotonWalksFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  irradiance::request(inputs[0]->GetInformationObject(0), irradiance::UpstreamRequest::Walks);
+  request(inputs[0]->GetInformationObject(0), UpstreamRequest::Walks);
   return 1;
 }
 
@@ -32,14 +33,13 @@ int vtkPhotonWalksFilter::RequestData(
 {
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   vtkMultiBlockDataSet* input = vtkMultiBlockDataSet::GetData(inputs[0]);
-  return irradiance::runFilter(this, output, [&] {
-    if (!irradiance::isEmptyPieceRequested(outputs->GetInformationObject(0))) // each walk once
+  return runFilter(this, output, [&] {
+    if (!isEmptyPieceRequested(outputs->GetInformationObject(0))) // each walk once
     {
-      const irradiance::PhotonSource source(input, "the input", true);
-      irradiance::SmpExecution execution = irradiance::executionOf(this);
-      irradiance::writeWalks(
-        { this->NumberOfWalks, this->CellPort, this->CellConnection, this->Cell }, source, input,
-        execution, output);
+      const PhotonSource source(input, "the input", true);
+      SmpExecution execution = executionOf(this);
+      writeWalks({ this->NumberOfWalks, this->CellPort, this->CellConnection, this->Cell }, source,
+        input, execution, output);
     }
   });
 }

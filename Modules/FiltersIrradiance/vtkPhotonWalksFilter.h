@@ -56,7 +56,6 @@ public:
 
 protected:
   vtkPhotonWalksFilter() = default;
-  ~vtkPhotonWalksFilter() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -66,10 +65,6 @@ protected:
   vtkIdType Cell = -1;
   int CellPort = 0;
   int CellConnection = 0;
-
-private:
-  vtkPhotonWalksFilter(const vtkPhotonWalksFilter&) = delete;
-  void operator=(const vtkPhotonWalksFilter&) = delete;
 };
 
 #endif

@@ -26,12 +26,14 @@
 #include <utility>
 #include <vector>
 
+using namespace irradiance;
+
 vtkStandardNewMacro(vtkPointIrradianceFilter);
 
 class vtkPointIrradianceFilter::vtkInternals
 {
 public:
-  irradiance::GroupSensors Stored;
+  GroupSensors Stored;
   irradiance::OldNames OldNames;
 };
 
@@ -42,16 +44,16 @@ namespace
 struct Surface
 {
   vtkPolyData* output;
-  std::vector<irradiance::PointFacet> facets;
+  std::vector<PointFacet> facets;
 };
 
 /// One for each side of each facet to which light can come, the front before the back.
-std::vector<irradiance::Sensor> SensorsOf(const std::vector<Surface>& surfaces)
+std::vector<Sensor> SensorsOf(const std::vector<Surface>& surfaces)
 {
-  std::vector<irradiance::Sensor> sensors;
+  std::vector<Sensor> sensors;
   for (const Surface& surface : surfaces)
   {
-    for (const irradiance::PointFacet& facet : surface.facets)
+    for (const PointFacet& facet : surface.facets)
     {
       if (!facet.isFrontDark)
       {
@@ -67,31 +69,29 @@ std::vector<irradiance::Sensor> SensorsOf(const std::vector<Surface>& surfaces)
 }
 
 /// The arrays of a surface: one, or one for each side.
-std::vector<irradiance::LightArrays> AddArrays(
+std::vector<LightArrays> AddArrays(
   vtkPolyData* output, int bands, bool haveErrors, bool areSidesApart)
 {
   vtkPointData* points = output->GetPointData();
   const auto add = [&](const char* suffix) {
-    return irradiance::LightArrays(points, irradiance::pointIrradianceName(suffix), bands,
-      output->GetNumberOfPoints(), haveErrors);
+    return LightArrays(
+      points, pointIrradianceName(suffix), bands, output->GetNumberOfPoints(), haveErrors);
   };
   if (areSidesApart)
   {
     return { add("Front"), add("Back") };
   }
-  std::vector<irradiance::LightArrays> arrays{ add("") };
-  points->SetActiveScalars(irradiance::pointIrradianceName().c_str());
+  std::vector<LightArrays> arrays{ add("") };
+  points->SetActiveScalars(pointIrradianceName().c_str());
   return arrays;
 }
 
 /// Sides are dark to which no group brings light.
-irradiance::CellShapes DarkShapesOf(
-  const irradiance::LightGroups& groups, const irradiance::CancelPoint& cancelPoint)
+CellShapes DarkShapesOf(const LightGroups& groups, const CancelPoint& cancelPoint)
 {
-  std::optional<irradiance::CellShapes> all;
-  groups.forEachLit([&](const irradiance::LightGroup& group) {
-    irradiance::CellShapes shapes =
-      irradiance::darkShapesOf(group.engine->walks(), group.engine->frame(), cancelPoint);
+  std::optional<CellShapes> all;
+  groups.forEachLit([&](const LightGroup& group) {
+    CellShapes shapes = darkShapesOf(group.engine->walks(), group.engine->frame(), cancelPoint);
     for (std::size_t cell = 0; all && cell < shapes.size(); ++cell)
     {
       all->setDark(cell, (*all)[cell].isFrontDark && shapes[cell].isFrontDark,
@@ -108,39 +108,37 @@ irradiance::CellShapes DarkShapesOf(
 /// Without cells, see isEmptyPieceRequested().
 void WriteEmptyPoints(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)
 {
-  irradiance::emptyLeaves(input, output, [input](vtkPolyData* empty) {
-    const bool areSidesApart =
-      empty->GetCellData()->HasArray(irradiance::irradianceName("Front").c_str()) != 0;
-    AddArrays(empty, irradiance::bandsOf(empty), irradiance::haveErrors(input), areSidesApart);
+  emptyLeaves(input, output, [input](vtkPolyData* empty) {
+    const bool areSidesApart = empty->GetCellData()->HasArray(irradianceName("Front").c_str()) != 0;
+    AddArrays(empty, bandsOf(empty), haveErrors(input), areSidesApart);
   });
 }
 
-using Replicates = irradiance::SensorFinalGather::Replicates;
+using Received = SensorFinalGather::Replicates;
 
 /// Gives the points of a surface the light that their facets received. `dark`: where nothing comes.
 /// `next`: what sensors received, in their order; returns what is next after those of the surface.
-const Replicates* WritePoints(const Surface& surface,
-  const std::vector<irradiance::LightArrays>& arrays, const Replicates& dark,
-  const Replicates* next)
+const Received* WritePoints(const Surface& surface, const std::vector<LightArrays>& arrays,
+  const Received& dark, const Received* next)
 {
-  irradiance::SensorFinalGather::Light unknown{};
+  SensorFinalGather::Light unknown{};
   unknown.value.fill(std::numeric_limits<double>::quiet_NaN());
   unknown.standardError = unknown.value;
-  for (const irradiance::LightArrays& side : arrays)
+  for (const LightArrays& side : arrays)
   {
     for (vtkIdType i = 0; i < surface.output->GetNumberOfPoints(); ++i)
     {
       side.set(i, unknown);
     }
   }
-  const auto addNext = [&next](bool isDark, double weight, Replicates& mean) {
+  const auto addNext = [&next](bool isDark, double weight, Received& mean) {
     for (std::size_t k = 0; !isDark && k < mean.size(); ++k)
     {
       mean[k] += weight * (*next)[k];
     }
     next += isDark ? 0 : 1;
   };
-  const std::vector<irradiance::PointFacet>& facets = surface.facets;
+  const std::vector<PointFacet>& facets = surface.facets;
   for (std::size_t first = 0, end = 0; first < facets.size(); first = end)
   {
     double angle = 0;
@@ -148,7 +146,7 @@ const Replicates* WritePoints(const Surface& surface,
     {
       angle += facets[end].angle;
     }
-    std::vector<Replicates> means(arrays.size(), dark);
+    std::vector<Received> means(arrays.size(), dark);
     for (std::size_t i = first; i < end; ++i)
     {
       const double weight = facets[i].angle / angle;
@@ -157,7 +155,7 @@ const Replicates* WritePoints(const Surface& surface,
     }
     for (std::size_t side = 0; side < arrays.size(); ++side)
     {
-      arrays[side].set(facets[first].point, irradiance::SensorFinalGather::lightOf(means[side]));
+      arrays[side].set(facets[first].point, SensorFinalGather::lightOf(means[side]));
     }
   }
   return next;
@@ -174,38 +172,35 @@ vtkPointIrradianceFilter::~vtkPointIrradianceFilter() = default;
 
 int vtkPointIrradianceFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  irradiance::setInputTypes(info, "vtkMultiBlockDataSet", "vtkDataObject");
-  return 1;
+  return setInputTypes(info, "vtkMultiBlockDataSet", "vtkDataObject");
 }
 
 void vtkPointIrradianceFilter::Compute(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output)
 {
-  const irradiance::PhotonSource source(input, "the input", false);
-  const irradiance::LightGroups& groups = *source.groups();
-  const irradiance::IrradianceEngine& engine = groups.any();
-  irradiance::SmpExecution execution = irradiance::executionOf(this);
-  const irradiance::CancelPoint reading = irradiance::cancelPointOf(execution, 0);
-  irradiance::copyLeaves(input, output);
-  const double rounding =
-    irradiance::sensorClearance(irradiance::boundsBesideLamps(engine.objects()));
-  const irradiance::CellShapes shapes = DarkShapesOf(groups, reading);
+  const PhotonSource source(input, "the input", false);
+  const LightGroups& groups = *source.groups();
+  const IrradianceEngine& engine = groups.any();
+  SmpExecution execution = executionOf(this);
+  const CancelPoint reading = cancelPointOf(execution, 0);
+  copyLeaves(input, output);
+  const double rounding = sensorClearance(boundsBesideLamps(engine.objects()));
+  const CellShapes shapes = DarkShapesOf(groups, reading);
   std::vector<Surface> surfaces;
-  source.forEachPart(output, [&](vtkPolyData* polyData, const irradiance::PartCells& cells) {
+  source.forEachPart(output, [&](vtkPolyData* polyData, const PartCells& cells) {
     surfaces.push_back({ polyData,
-      irradiance::pointFacetsOf(polyData, engine.objects()[cells.first.object].isMirrored(),
+      pointFacetsOf(polyData, engine.objects()[cells.first.object].isMirrored(),
         vtkMath::RadiansFromDegrees(this->FeatureAngle), rounding, cells, shapes, reading) });
   });
-  irradiance::GroupSensors& stored = this->Internals->Stored;
-  const std::vector<irradiance::Sensor> sensors = SensorsOf(surfaces);
+  GroupSensors& stored = this->Internals->Stored;
+  const std::vector<Sensor> sensors = SensorsOf(surfaces);
   const auto rays = static_cast<std::uint32_t>(this->NumberOfRays);
-  stored.update(groups, sensors, rays, irradiance::mayKeepRays(sensors.size(), rays), execution);
-  const Replicates dark(engine.walks().plan().replicates().count());
-  const Replicates* next = stored.replicates().data();
+  stored.update(groups, sensors, rays, mayKeepRays(sensors.size(), rays), execution);
+  const Received dark(engine.walks().plan().replicates().count());
+  const Received* next = stored.replicates().data();
   for (const Surface& surface : surfaces)
   {
     next = WritePoints(surface,
-      AddArrays(surface.output, source.bands(), irradiance::haveErrors(input),
-        engine.settings().separateSides),
+      AddArrays(surface.output, source.bands(), haveErrors(input), engine.settings().separateSides),
       dark, next);
   }
 }
@@ -215,8 +210,8 @@ int vtkPointIrradianceFilter::RequestData(
 {
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputs);
   vtkMultiBlockDataSet* input = vtkMultiBlockDataSet::GetData(inputs[0]);
-  return irradiance::runFilter(this, output, [&] {
-    irradiance::PhotonSource::isEmptyPiece(input, outputs->GetInformationObject(0))
+  return runFilter(this, output, [&] {
+    PhotonSource::isEmptyPiece(input, outputs->GetInformationObject(0))
       ? WriteEmptyPoints(input, output)
       : this->Compute(input, output);
   });

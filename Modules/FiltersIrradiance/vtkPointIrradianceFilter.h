@@ -92,9 +92,6 @@ protected:
   double FeatureAngle = 30;
 
 private:
-  vtkPointIrradianceFilter(const vtkPointIrradianceFilter&) = delete;
-  void operator=(const vtkPointIrradianceFilter&) = delete;
-
   void Compute(vtkMultiBlockDataSet* input, vtkMultiBlockDataSet* output);
 
   class vtkInternals;

@@ -30,6 +30,8 @@
 #include <optional>
 #include <tuple>
 
+using namespace irradiance;
+
 vtkStandardNewMacro(vtkRadiantExposureFilter);
 
 namespace
@@ -42,7 +44,7 @@ struct Settings
 {
   int Mode, NumberOfTimeSteps, MaximumNumberOfTimeSteps, NumberOfSpreadPhotons;
   double RelativeTolerance;
-  irradiance::TimeSpan Span;
+  TimeSpan Span;
   std::array<int, 3> Piece; ///< number, of how many, ghost levels
 
   /// All that ranks have to agree on.
@@ -67,51 +69,46 @@ Settings CheckedSettings(vtkRadiantExposureFilter* filter, vtkInformation* input
 {
   Settings settings{ filter->GetIntegrationMode(), filter->GetNumberOfTimeSteps(),
     filter->GetMaximumNumberOfTimeSteps(), filter->GetNumberOfSpreadPhotons(),
-    filter->GetRelativeTolerance(),
-    irradiance::timeSpan(input, filter->GetStartTime(), filter->GetEndTime()),
+    filter->GetRelativeTolerance(), timeSpan(input, filter->GetStartTime(), filter->GetEndTime()),
     { input->Get(Pipeline::UPDATE_PIECE_NUMBER()), input->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()),
       input->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()) } };
   constexpr vtkIdType most = 1000000;
-  irradiance::checked("NumberOfTimeSteps", settings.NumberOfTimeSteps, 1, most);
-  irradiance::checked("NumberOfSpreadPhotons", settings.NumberOfSpreadPhotons, 0, most);
-  if (!IsErrorControlled(settings.Mode))
-  {
-    return settings;
-  }
-  irradiance::throwIf(
-    !(settings.RelativeTolerance > 0 && std::isfinite(settings.RelativeTolerance)),
+  checked("NumberOfTimeSteps", settings.NumberOfTimeSteps, 1, most);
+  checked("NumberOfSpreadPhotons", settings.NumberOfSpreadPhotons, 0, most);
+  const bool isControlled = IsErrorControlled(settings.Mode);
+  throwIf(
+    isControlled && !(settings.RelativeTolerance > 0 && std::isfinite(settings.RelativeTolerance)),
     "RelativeTolerance is ", settings.RelativeTolerance, "; it has to be positive");
-  irradiance::throwIf(settings.MaximumNumberOfTimeSteps < settings.NumberOfTimeSteps,
+  throwIf(isControlled && settings.MaximumNumberOfTimeSteps < settings.NumberOfTimeSteps,
     "MaximumNumberOfTimeSteps is ", settings.MaximumNumberOfTimeSteps, ", but NumberOfTimeSteps, ",
     settings.NumberOfTimeSteps, ", is the least for error control");
   return settings;
 }
 
-std::unique_ptr<irradiance::ExposureIntegral> MakeIntegral(
-  const Settings& settings, vtkInformation* input)
+std::unique_ptr<ExposureIntegral> MakeIntegral(const Settings& settings, vtkInformation* input)
 {
   if (IsErrorControlled(settings.Mode))
   {
-    return irradiance::errorControlledIntegral(
-      irradiance::firstTimes(irradiance::stepsOf(input), settings.Span, settings.NumberOfTimeSteps),
+    return errorControlledIntegral(
+      firstTimes(stepsOf(input), settings.Span, settings.NumberOfTimeSteps),
       settings.RelativeTolerance, settings.MaximumNumberOfTimeSteps);
   }
-  return irradiance::integralOver(settings.Mode == vtkRadiantExposureFilter::TimeSteps
-      ? irradiance::stepTimes(input, settings.Span)
-      : irradiance::uniformTimes(settings.Span, settings.NumberOfTimeSteps));
+  return integralOver(settings.Mode == vtkRadiantExposureFilter::TimeSteps
+      ? stepTimes(input, settings.Span)
+      : uniformTimes(settings.Span, settings.NumberOfTimeSteps));
 }
 
-void AddTimes(const irradiance::ExposureIntegral& integral, vtkFieldData* fields)
+void AddTimes(const ExposureIntegral& integral, vtkFieldData* fields)
 {
   const std::vector<double>& times = integral.times();
   const auto count = static_cast<vtkIdType>(times.size());
   const auto addNumber = [fields](const char* name, double number) {
-    irradiance::addTuple<vtkDoubleArray>(fields, name, { number });
+    addTuple<vtkDoubleArray>(fields, name, { number });
   };
   addNumber("StartTime", times.front());
   addNumber("EndTime", times.back());
-  irradiance::addTuple<vtkIdTypeArray>(fields, "NumberOfTimeSteps", { count - 1 });
-  irradiance::addColumn(fields, "IntegrationTimes", times);
+  addTuple<vtkIdTypeArray>(fields, "NumberOfTimeSteps", { count - 1 });
+  addColumn(fields, "IntegrationTimes", times);
   if (!std::isnan(integral.relativeError()))
   {
     addNumber("TimeIntegrationError", integral.relativeError());
@@ -141,15 +138,15 @@ public:
   /// Continues what an abort left, if that is still what is asked for, and asks for the next time.
   void Prepare()
   {
-    const irradiance::ControllerRanks ranks = this->GetRanks();
+    const ControllerRanks ranks = this->GetRanks();
     vtkInformation* input = this->Input();
     if (ranks.areSeveral())
     {
-      irradiance::requestWhole(input);
+      requestWhole(input);
       this->Forget(); // after an abort not all may have come as far
     }
-    irradiance::request(input, irradiance::UpstreamRequest::Alone, ranks.areSeveral());
-    irradiance::request(input, irradiance::UpstreamRequest::Replicates);
+    request(input, UpstreamRequest::Alone, ranks.areSeveral());
+    request(input, UpstreamRequest::Replicates);
     if (!this->IsUpToDate())
     {
       this->Begin();
@@ -160,16 +157,16 @@ public:
     input->Set(Pipeline::UPDATE_TIME_STEP(), this->OwnTime(ranks).value_or(last));
   }
 
-  void Run(irradiance::ControllerRanks& ranks, vtkDataObject* output)
+  void Run(ControllerRanks& ranks, vtkDataObject* output)
   {
-    irradiance::SmpExecution execution = irradiance::executionOf(this->Filter);
+    SmpExecution execution = executionOf(this->Filter);
     this->Agree(ranks);
     this->Take(ranks);
     while (!this->Integral->isDone())
     {
       if (!execution.reportProgress(this->Integral->progress()))
       {
-        throw irradiance::Interrupted();
+        throw Interrupted();
       }
       if (this->HasChanged(ranks))
       {
@@ -182,29 +179,25 @@ public:
     }
     if (this->Of.NumberOfSpreadPhotons > 0)
     {
-      irradiance::ProgressSpan end(execution, 1, 1);
+      ProgressSpan end(execution, 1, 1);
       this->Integral->sums().spread(this->Of.NumberOfSpreadPhotons, end);
     }
     this->Write(output);
-    if (ranks.areSeveral() &&
-      irradiance::isEmptyPieceRequested(this->Filter->GetOutputInformation(0)))
+    if (ranks.areSeveral() && isEmptyPieceRequested(this->Filter->GetOutputInformation(0)))
     {
-      irradiance::removeElements(output);
+      removeElements(output);
     }
   }
 
   /// Asks for nothing more: others need not pay for it.
   void End() const
   {
-    irradiance::request(this->Input(), irradiance::UpstreamRequest::Replicates, false);
-    irradiance::request(this->Input(), irradiance::UpstreamRequest::Alone, false);
+    request(this->Input(), UpstreamRequest::Replicates, false);
+    request(this->Input(), UpstreamRequest::Alone, false);
   }
 
   void Forget() { this->Integral = nullptr; }
-  irradiance::ControllerRanks GetRanks() const
-  {
-    return irradiance::ControllerRanks(this->Filter->GetController());
-  }
+  ControllerRanks GetRanks() const { return ControllerRanks(this->Filter->GetController()); }
 
   std::string Error; ///< found before the data were asked for
 
@@ -215,7 +208,7 @@ private:
   {
     return this->Integral && !this->Integral->isDone() &&
       this->Producer == this->Filter->GetInputExecutive(0, 0) &&
-      this->Upstream == irradiance::upstreamTime(this->Filter, 0, 0) &&
+      this->Upstream == upstreamTime(this->Filter, 0, 0) &&
       this->Of == CheckedSettings(this->Filter, this->Input());
   }
 
@@ -226,105 +219,99 @@ private:
     this->Of = CheckedSettings(this->Filter, input);
     this->Integral = MakeIntegral(this->Of, input);
     this->MayBeAtSteps = this->Of.Mode == Automatic;
-    this->Probe =
-      this->MayBeAtSteps ? irradiance::timeBetweenSteps(input, this->Of.Span) : std::nullopt;
+    this->Probe = this->MayBeAtSteps ? timeBetweenSteps(input, this->Of.Span) : std::nullopt;
     this->Producer = this->Filter->GetInputExecutive(0, 0);
-    this->Upstream = irradiance::upstreamTime(this->Filter, 0, 0);
+    this->Upstream = upstreamTime(this->Filter, 0, 0);
   }
 
   /// Whether an observer has changed something. Throws RankFailed if only some have.
-  bool HasChanged(irradiance::Ranks& ranks) const
+  bool HasChanged(Ranks& ranks) const
   {
     const bool hasChanged = !this->IsUpToDate();
     ranks.expectSame(hasChanged ? 1 : 0, "something was changed meanwhile, or not,");
     return hasChanged;
   }
 
-  void Agree(irradiance::Ranks& ranks) const
+  void Agree(Ranks& ranks) const
   {
     if (ranks.areSeveral())
     {
-      irradiance::Hash hash;
+      Hash hash;
       std::apply([&](const auto&... all) { hash.add(all...); }, this->Of.Shared());
-      hash.add(irradiance::stepsOf(this->Input()));
+      hash.add(stepsOf(this->Input()));
       ranks.expectSame(hash.value(), "other settings or times than on the first process");
     }
   }
 
   /// Those that the ranks visit together, one each.
-  std::vector<double> NextTimes(const irradiance::Ranks& ranks) const
+  std::vector<double> NextTimes(const Ranks& ranks) const
   {
     return this->Probe ? std::vector<double>(ranks.count(), *this->Probe)
                        : this->Integral->nextTimes(ranks.count());
   }
 
   /// None if there are fewer than ranks.
-  std::optional<double> OwnTime(const irradiance::Ranks& ranks) const
+  std::optional<double> OwnTime(const Ranks& ranks) const
   {
     const std::vector<double> times = this->NextTimes(ranks);
     return ranks.rank() < times.size() ? std::optional<double>(times[ranks.rank()]) : std::nullopt;
   }
 
-  void UpdateProducer(const irradiance::Ranks& ranks) const
+  void UpdateProducer(const Ranks& ranks) const
   {
-    const std::optional<double> time = this->OwnTime(ranks);
-    if (!time)
+    if (const std::optional<double> time = this->OwnTime(ranks))
     {
-      return;
+      this->Input()->Set(Pipeline::UPDATE_TIME_STEP(), *time);
+      throwIf(!this->Producer->Update(this->Filter->GetInputConnection(0, 0)->GetIndex()),
+        "the input could not be computed at time ", *time, ", see its own error");
     }
-    this->Input()->Set(Pipeline::UPDATE_TIME_STEP(), *time);
-    irradiance::throwIf(!this->Producer->Update(this->Filter->GetInputConnection(0, 0)->GetIndex()),
-      "the input could not be computed at time ", *time, ", see its own error");
   }
 
-  void Take(irradiance::ControllerRanks& ranks)
+  void Take(ControllerRanks& ranks)
   {
     const std::optional<double> time = this->OwnTime(ranks);
     vtkDataObject* data = this->Filter->GetInputDataObject(0, 0);
-    if (data->GetNumberOfElements(vtkDataObject::CELL) == 0 &&
-      irradiance::forgetAborted(this->Producer))
+    if (data->GetNumberOfElements(vtkDataObject::CELL) == 0 && forgetAborted(this->Producer))
     {
       // SetAbortExecute() is a modification for VTK.
-      this->Upstream = irradiance::upstreamTime(this->Filter, 0, 0);
-      throw irradiance::Interrupted();
+      this->Upstream = upstreamTime(this->Filter, 0, 0);
+      throw Interrupted();
     }
     const bool isProbe = this->Probe.has_value();
     this->Probe.reset();
     const bool isAtSteps = time && this->MayBeAtSteps &&
-      irradiance::comesAtStepsOnly(
+      comesAtStepsOnly(
         this->Producer, this->Filter->GetInputConnection(0, 0)->GetIndex(), this->Of.Span);
     std::int64_t ranksAtSteps = isAtSteps ? 1 : 0;
     ranks.sum(&ranksAtSteps, 1);
     if (ranksAtSteps > 0)
     {
-      this->Integral =
-        irradiance::integralOver(irradiance::stepTimes(this->Input(), this->Of.Span));
+      this->Integral = integralOver(stepTimes(this->Input(), this->Of.Span));
       this->MayBeAtSteps = false;
     }
     else if (!isProbe)
     {
       if (time)
       {
-        irradiance::checkTime(this->Input(), *time, this->Of.Span);
+        checkTime(this->Input(), *time, this->Of.Span);
       }
       for (const auto& next : ranks.dataOfAll(time ? data : nullptr))
       {
         if (this->Of.NumberOfSpreadPhotons > 0)
         {
-          irradiance::ExposureSums::expectReplicates(next);
+          ExposureSums::expectReplicates(next);
         }
         this->Integral->take(next);
       }
     }
     // Upstream may modify itself as it executes. If something changed a vtkIrradianceFilter
     // meanwhile, its time rises until it executes again.
-    this->Upstream = irradiance::upstreamTime(this->Filter, 0, 0);
+    this->Upstream = upstreamTime(this->Filter, 0, 0);
   }
 
   void Write(vtkDataObject* output) const
   {
-    irradiance::throwIf(
-      !this->Integral->sums().haveCells() && !irradiance::isEmptyPieceRequested(this->Input()),
+    throwIf(!this->Integral->sums().haveCells() && !isEmptyPieceRequested(this->Input()),
       "the input has no cells at any of the times that were visited");
     this->Integral->sums().write(this->Integral->last(), output);
     AddTimes(*this->Integral, output->GetFieldData());
@@ -336,7 +323,7 @@ private:
 
   vtkRadiantExposureFilter* Filter;
   /// Null, except in a run and after an abort.
-  std::unique_ptr<irradiance::ExposureIntegral> Integral;
+  std::unique_ptr<ExposureIntegral> Integral;
   Settings Of{};               ///< the integral's
   bool MayBeAtSteps = false;   ///< Automatic, and no time yet came as the time of a step
   std::optional<double> Probe; ///< Automatic: the first time asked for, which is between steps
@@ -355,7 +342,7 @@ vtkRadiantExposureFilter::~vtkRadiantExposureFilter() = default;
 
 vtkExecutive* vtkRadiantExposureFilter::CreateDefaultExecutive()
 {
-  return irradiance::newRanksPipeline([this] {
+  return newRanksPipeline([this] {
     this->Internals->End();
     this->Internals->Forget();
     this->Internals->GetRanks().withdraw();
@@ -371,8 +358,7 @@ vtkMultiProcessController* vtkRadiantExposureFilter::GetController()
 
 int vtkRadiantExposureFilter::FillInputPortInformation(int, vtkInformation* info)
 {
-  irradiance::setInputTypes(info, "vtkDataObjectTree", "vtkDataSet");
-  return 1;
+  return setInputTypes(info, "vtkDataObjectTree", "vtkDataSet");
 }
 
 int vtkRadiantExposureFilter::RequestInformation(
@@ -404,14 +390,14 @@ int vtkRadiantExposureFilter::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   vtkDataObject* output = vtkDataObject::GetData(outputs);
-  irradiance::ControllerRanks ranks = this->Internals->GetRanks();
+  ControllerRanks ranks = this->Internals->GetRanks();
   bool isAborted = true;
   const auto compute = [&] {
-    irradiance::throwIf(!this->Internals->Error.empty(), this->Internals->Error);
+    throwIf(!this->Internals->Error.empty(), this->Internals->Error);
     this->Internals->Run(ranks, output);
     isAborted = false;
   };
-  const int result = irradiance::runFilter(this, output, compute, &ranks);
+  const int result = runFilter(this, output, compute, &ranks);
   if (result == 0 || !isAborted)
   {
     this->Internals->Forget();

@@ -180,9 +180,6 @@ protected:
   vtkSmartPointer<vtkMultiProcessController> Controller;
 
 private:
-  vtkRadiantExposureFilter(const vtkRadiantExposureFilter&) = delete;
-  void operator=(const vtkRadiantExposureFilter&) = delete;
-
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
 };

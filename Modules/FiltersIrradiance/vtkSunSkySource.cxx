@@ -19,6 +19,8 @@
 #include <algorithm>
 #include <cmath>
 
+using namespace irradiance;
+
 vtkStandardNewMacro(vtkSunSkySource);
 
 namespace
@@ -30,11 +32,11 @@ struct Daylight
   std::string Where; ///< the row of a series; empty: the properties
   double Time;
   double DirectNormal, DiffuseHorizontal;
-  irradiance::SunPosition Sun;
+  SunPosition Sun;
   double DistanceFactor = 1;
 };
 
-double IrradianceIn(const irradiance::CommaTable& table, const std::string& column)
+double IrradianceIn(const CommaTable& table, const std::string& column)
 {
   const double value = table.value(column);
   table.failIf(value < 0, ", column ", column, ": ", value, " W/m2; it has to be 0 or more");
@@ -64,7 +66,7 @@ public:
         this->ReadWeather(file);
       }
     }
-    catch (const irradiance::InputError& error)
+    catch (const InputError& error)
     {
       this->Steps.clear();
       this->Error = error.what();
@@ -87,9 +89,8 @@ public:
     if (s->SunFrom == PlaceAndTime)
     {
       const std::string given = s->DateTime ? s->DateTime : "";
-      const auto clock = irradiance::parseTime(given);
-      irradiance::throwIf(
-        !clock, "DateTime is \"", given, "\"; it has to be a time such as 2024-06-21 12:00");
+      const auto clock = parseTime(given);
+      throwIf(!clock, "DateTime is \"", given, "\"; it has to be a time such as 2024-06-21 12:00");
       this->PlaceSun(*clock, light);
     }
     return light;
@@ -104,7 +105,6 @@ public:
 
   void CheckProperties() const
   {
-    using irradiance::checkWithin;
     const vtkSunSkySource* s = this->Source;
     checkWithin("SunAngularRadius", s->SunAngularRadius, 0, 10);
     checkWithin("North", s->North, -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX);
@@ -117,9 +117,9 @@ public:
       for (int i = 0; i < 6; ++i)
       {
         isBox = isBox && std::abs(box[i]) < 1e30 && box[i - i % 2] < box[i - i % 2 + 1];
-        values += " " + irradiance::text(box[i]);
+        values += " " + text(box[i]);
       }
-      irradiance::throwIf(!isBox,
+      throwIf(!isBox,
         "Bounds is" + values +
           "; it has to be xmin, xmax, ymin, ymax, zmin and zmax of a box, or 1 -1 1 -1 1 -1 for "
           "none");
@@ -145,25 +145,23 @@ public:
   }
 
   /// In the frame of the scene.
-  irradiance::SkyTable Sky(const Daylight& light) const
+  SkyTable Sky(const Daylight& light) const
   {
     const vtkSunSkySource* s = this->Source;
-    const irradiance::SunPosition sun{ light.Sun.azimuth - s->North,
-      std::max(0., light.Sun.altitude) };
+    const SunPosition sun{ light.Sun.azimuth - s->North, std::max(0., light.Sun.altitude) };
     const double direct = light.Sun.altitude < 0 ? 0 : light.DirectNormal;
-    irradiance::SkyShape shape; // uniform
+    SkyShape shape; // uniform
     shape.isOvercast = s->SkyModel == CIEOvercast;
     if (s->SkyModel == CIEClear || s->SkyModel == CIEGeneral)
     {
-      shape = irradiance::cieSky(s->SkyModel == CIEClear ? 12 : s->CIEType);
+      shape = cieSky(s->SkyModel == CIEClear ? 12 : s->CIEType);
     }
     else if (s->SkyModel == Perez && light.DiffuseHorizontal > 0)
     {
-      shape =
-        irradiance::perezSky(direct, light.DiffuseHorizontal, sun.altitude, light.DistanceFactor);
+      shape = perezSky(direct, light.DiffuseHorizontal, sun.altitude, light.DistanceFactor);
     }
-    irradiance::SkyTable sky = irradiance::skyTable(shape, sun, light.DiffuseHorizontal);
-    irradiance::throwIf(!sky.note.empty() && light.Where.empty(),
+    SkyTable sky = skyTable(shape, sun, light.DiffuseHorizontal);
+    throwIf(!sky.note.empty() && light.Where.empty(),
       "SkyModel Perez has no sky for DirectNormalIrradiance ", direct,
       ", DiffuseHorizontalIrradiance ", light.DiffuseHorizontal, " and the sun at an altitude of ",
       sun.altitude, " degrees: ", sky.note, "; choose a CIE sky");
@@ -189,13 +187,13 @@ public:
 private:
   void ReadWeather(const std::string& fileName)
   {
-    irradiance::CommaTable table(fileName, true);
+    CommaTable table(fileName, true);
     table.require({ "time", "dni", "dhi" });
     double first = 0;
     while (table.next())
     {
       const std::string& time = table.cell("time");
-      const auto clock = irradiance::parseTime(time);
+      const auto clock = parseTime(time);
       table.failIf(!clock, ", column time: \"", time, "\" is no time such as 2024-06-21 12:00");
       first = this->Rows.empty() ? clock->seconds : first;
       table.failIf(!this->Rows.empty() && clock->seconds - first <= this->Steps.back(),
@@ -205,14 +203,14 @@ private:
         IrradianceIn(table, "dhi"), {} });
       this->PlaceSun(*clock, this->Rows.back());
     }
-    irradiance::throwIf(this->Rows.empty(), "the file ", fileName, " has no row of weather");
+    throwIf(this->Rows.empty(), "the file ", fileName, " has no row of weather");
   }
 
-  void PlaceSun(const irradiance::ClockTime& local, Daylight& light) const
+  void PlaceSun(const ClockTime& local, Daylight& light) const
   {
-    light.Sun = irradiance::sunPosition(local.seconds - 3600 * this->Source->TimeZone,
-      this->Source->Latitude, this->Source->Longitude);
-    light.DistanceFactor = irradiance::distanceFactor(local.dayOfYear);
+    light.Sun = sunPosition(local.seconds - 3600 * this->Source->TimeZone, this->Source->Latitude,
+      this->Source->Longitude);
+    light.DistanceFactor = distanceFactor(local.dayOfYear);
   }
 };
 
@@ -232,7 +230,7 @@ int vtkSunSkySource::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   this->Internals->Update(); // what is wrong is said once, when the data are asked for
-  irradiance::uniteTimes(nullptr, 0, outputs, this->Internals->Steps);
+  uniteTimes(nullptr, 0, outputs, this->Internals->Steps);
   return 1;
 }
 
@@ -241,30 +239,29 @@ int vtkSunSkySource::RequestData(
 {
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  return irradiance::runFilter(this, output, [&] {
+  return runFilter(this, output, [&] {
     this->Internals->Update();
-    irradiance::throwIf(!this->Internals->Error.empty(), this->Internals->Error);
+    throwIf(!this->Internals->Error.empty(), this->Internals->Error);
     this->Internals->CheckProperties();
     auto* timeKey = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
     const double time = info->Has(timeKey) ? info->Get(timeKey) : 0;
     const Daylight light = this->Internals->LightAt(time);
-    const irradiance::SkyTable sky = this->Internals->Sky(light);
+    const SkyTable sky = this->Internals->Sky(light);
     vtkFieldData* fields = output->GetFieldData();
-    irradiance::addColumn(fields, irradiance::kSkyRadiance, sky.radiance);
-    irradiance::addColumn(fields, irradiance::kSkyPolarAngles, sky.polarAngles);
-    irradiance::addColumn(fields, irradiance::kSkyAzimuths, sky.azimuths);
+    addColumn(fields, kSkyRadiance, sky.radiance);
+    addColumn(fields, kSkyPolarAngles, sky.polarAngles);
+    addColumn(fields, kSkyAzimuths, sky.azimuths);
     const auto toSun =
-      irradiance::SunPosition{ light.Sun.azimuth - this->North, light.Sun.altitude }.direction();
-    const auto addTuple = irradiance::addTuple<vtkDoubleArray>;
-    addTuple(fields, irradiance::kSunDirection, { toSun.begin(), toSun.end() });
-    addTuple(
-      fields, irradiance::kSunIrradiance, { light.Sun.altitude < 0 ? 0 : light.DirectNormal });
-    addTuple(fields, irradiance::kSunAngularRadius, { this->SunAngularRadius });
+      SunPosition{ light.Sun.azimuth - this->North, light.Sun.altitude }.direction();
+    const auto addNumbers = addTuple<vtkDoubleArray>;
+    addNumbers(fields, kSunDirection, { toSun.begin(), toSun.end() });
+    addNumbers(fields, kSunIrradiance, { light.Sun.altitude < 0 ? 0 : light.DirectNormal });
+    addNumbers(fields, kSunAngularRadius, { this->SunAngularRadius });
     if (this->Internals->HasBounds())
     {
-      addTuple(fields, irradiance::kSkyBounds, { this->Bounds, this->Bounds + 6 });
+      addNumbers(fields, kSkyBounds, { this->Bounds, this->Bounds + 6 });
     }
-    irradiance::addText(fields, irradiance::kSkyNote,
+    addText(fields, "SkyNote",
       sky.note.empty() || light.Where.empty() ? sky.note : light.Where + ": " + sky.note);
     // As readers of files do: then a dose knows that it has to take the rows.
     output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), light.Time);

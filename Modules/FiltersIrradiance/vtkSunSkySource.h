@@ -200,9 +200,6 @@ protected:
   double Bounds[6] = { 1, -1, 1, -1, 1, -1 };
 
 private:
-  vtkSunSkySource(const vtkSunSkySource&) = delete;
-  void operator=(const vtkSunSkySource&) = delete;
-
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
 };

@@ -5,7 +5,8 @@
 #include <array>
 #include <string>
 
-/// The names of the arrays of outputs. Names of cell arrays end with the side of the cell.
+/// The names of arrays of outputs that several places use. Names of cell arrays end with the side
+/// of the cell.
 namespace irradiance
 {
 
@@ -62,36 +63,18 @@ inline std::string nameOfGroup(const std::string& array, const std::string& grou
 /// Of lamps: cell or field data.
 constexpr const char* kLightGroup = "LightGroup";
 constexpr const char* kLightGroupFactor = "LightGroupFactor";
-/// Field data of vtkIrradianceFilter, with ComputeLightGroups.
-constexpr const char* kLightGroups = "LightGroups";
-constexpr const char* kLightGroupFactors = "LightGroupFactors";
 
 constexpr const char* kRadiance = "Radiance";
 constexpr const char* kFluenceRate = "FluenceRate";
 constexpr const char* kNumberOfPhotons = "NumberOfPhotons";
 constexpr const char* kSearchRadius = "SearchRadius";
-/// Field data of vtkIrradianceProbeFilter.
-constexpr const char* kNumberOfUnknownErrors = "NumberOfUnknownErrors";
 
-/// Field data of vtkIrradianceFilter.
+/// Field data of vtkIrradianceFilter that others read, too.
 constexpr const char* kEmittedPower = "EmittedPower";
 constexpr const char* kAbsorbedPower = "AbsorbedPower";
 constexpr const char* kEscapedPower = "EscapedPower";
 constexpr const char* kStalePower = "StalePower";
-constexpr const char* kStaleGainBound = "StaleGainBound";
 constexpr const char* kNumberOfWalks = "NumberOfWalks";
-constexpr const char* kNumberOfSegments = "NumberOfSegments";
-constexpr const char* kNumberOfGatherRays = "NumberOfGatherRays";
-constexpr const char* kDirectLight = "DirectLight";
-constexpr const char* kCellEstimate = "CellEstimate";
-constexpr const char* kConfidenceFactor = "ConfidenceFactor";
-constexpr const char* kReachedRelativeError = "ReachedRelativeError";
-constexpr const char* kNumberOfInvalidWalks = "NumberOfInvalidWalks";
-constexpr const char* kNumberOfRepairedSegments = "NumberOfRepairedSegments";
-constexpr const char* kShootSeconds = "ShootSeconds";
-constexpr const char* kVerifySeconds = "VerifySeconds";
-constexpr const char* kRepairSeconds = "RepairSeconds";
-constexpr const char* kHistoryBytes = "HistoryBytes";
 
 /// Field data of vtkSunSkySource, and of skies that users make.
 constexpr const char* kSkyRadiance = "SkyRadiance";
@@ -99,7 +82,6 @@ constexpr const char* kSkyPolarAngles = "SkyPolarAngles";
 constexpr const char* kSkyAzimuths = "SkyAzimuths";
 constexpr const char* kSkyWeights = "SkyWeights";
 constexpr const char* kSkyBounds = "SkyBounds";
-constexpr const char* kSkyNote = "SkyNote";
 constexpr const char* kSunDirection = "SunDirection";
 constexpr const char* kSunIrradiance = "SunIrradiance";
 constexpr const char* kSunAngularRadius = "SunAngularRadius";

@@ -57,22 +57,6 @@ inline void addText(vtkFieldData* fields, const std::string& name, const std::st
   }
 }
 
-/// All values of a field-data array of one component. Throws InputError; `missing`: if there is none.
-inline std::vector<double> columnOf(
-  const std::string& where, vtkFieldData* fields, const char* name, const std::string& missing)
-{
-  vtkDataArray* const array = fields->GetArray(name);
-  throwIf(!array, where, missing);
-  throwIf(array->GetNumberOfComponents() != 1, where, ": the field-data array ", name, " has ",
-    array->GetNumberOfComponents(), " components; 1 is possible");
-  std::vector<double> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    values[i] = array->GetComponent(static_cast<vtkIdType>(i), 0);
-  }
-  return values;
-}
-
 /// The values of an array as doubles; they share it if it has doubles. Null for null.
 inline SharedValues valuesOf(vtkDataArray* array)
 {
@@ -87,6 +71,18 @@ inline SharedValues valuesOf(vtkDataArray* array)
     doubles->DeepCopy(array);
   }
   return { doubles->GetPointer(0), [doubles](const double*) {} };
+}
+
+/// All values of a field-data array of one component. Throws InputError; `missing`: if there is none.
+inline std::vector<double> columnOf(
+  const std::string& where, vtkFieldData* fields, const char* name, const std::string& missing)
+{
+  vtkDataArray* const array = fields->GetArray(name);
+  throwIf(!array, where, missing);
+  throwIf(array->GetNumberOfComponents() != 1, where, ": the field-data array ", name, " has ",
+    array->GetNumberOfComponents(), " components; 1 is possible");
+  const SharedValues values = valuesOf(array);
+  return { values.get(), values.get() + array->GetNumberOfTuples() };
 }
 
 }

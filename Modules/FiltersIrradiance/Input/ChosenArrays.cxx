@@ -52,13 +52,9 @@ vtkAbstractArray* findArray(
   vtkAlgorithm* filter, std::size_t quantity, vtkDataSetAttributes* attributes)
 {
   vtkInformation* choice = informationOf(filter, quantity);
-  if (isNone(filter, quantity))
-  {
-    return nullptr;
-  }
   if (const char* name = chosenName(filter, quantity))
   {
-    return attributes->GetAbstractArray(name);
+    return *name ? attributes->GetAbstractArray(name) : nullptr;
   }
   return choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE())
     ? attributes->GetAbstractAttribute(choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE()))

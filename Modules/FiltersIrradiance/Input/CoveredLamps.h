@@ -18,14 +18,12 @@ struct CoveredLamps
   double covered = 0; ///< the share that meets the back of a lamp first
 };
 
-/**
- * The parts with lamps of which lamps cover a quarter or more, roughly. Of the light that is
- * bound for surfaces that are no lamps counts what lamps stop with their backs: rays go from points
- * of the lamps to points of these surfaces, each with the power that it would bring to a patch
- * there. So a sun counts whose light hardly meets the scene. What falls on the front of a lamp does
- * not: lamps may face each other. Of the lamps of a group; `areOthers`: there are other groups, whose
- * lamps may stop their light, too.
- */
+/// The parts with lamps of which lamps cover a quarter or more, roughly. Of the light that is bound
+/// for surfaces that are no lamps counts what lamps stop with their backs: rays go from points of
+/// the lamps to points of these surfaces, each with the power that it would bring to a patch there.
+/// So a sun counts whose light hardly meets the scene. What falls on the front of a lamp does not:
+/// lamps may face each other. Of the lamps of a group; `areOthers`: there are other groups, whose
+/// lamps may stop their light, too.
 std::vector<CoveredLamps> findCoveredLamps(
   const LightGroup& group, bool areOthers, const CancelPoint& cancelPoint);
 

@@ -91,15 +91,11 @@ InputConnection staticConnection(vtkAlgorithm* filter, int index, vtkDataObject*
   InputConnection connection = connectionOf(filter, 0, index, data);
   for (InputPart& part : connection.parts)
   {
-    for (vtkFieldData* fields : { part.polyData->GetFieldData(), data->GetFieldData() })
+    if (hasFieldPose(part.polyData->GetFieldData()) || hasFieldPose(data->GetFieldData()))
     {
-      if (hasFieldPose(fields))
-      {
-        part.warnings.push_back({ part.name,
-          std::string(" is static and stays where it is: its field array ") + kFieldPoseName +
-            " is not read" });
-        break;
-      }
+      part.warnings.push_back({ part.name,
+        std::string(" is static and stays where it is: its field array ") + kFieldPoseName +
+          " is not read" });
     }
   }
   return connection;

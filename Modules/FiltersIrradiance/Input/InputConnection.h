@@ -91,13 +91,11 @@ constexpr const char* kStaticLampGroup = "Static";
 /// A static connection. Throws InputError for a leaf that is no polydata.
 InputConnection staticConnection(vtkAlgorithm* filter, int index, vtkDataObject* data);
 
-/**
- * A dynamic connection. `transform` is its pose; if null, the field-data array ObjectToWorld of
- * `data`; else the identity. In composite data, a leaf with such an array of its own is moved by
- * that first, then by the pose of the connection. Before all that a part is moved by its field-data
- * array `innerPose` (null: none). Also throws InputError for a pose that is not an invertible
- * affine map, and if some parts with cells have an `innerPose` and others do not.
- */
+/// A dynamic connection. `transform` is its pose; if null, the field-data array ObjectToWorld of
+/// `data`; else the identity. In composite data, a leaf with such an array of its own is moved by
+/// that first, then by the pose of the connection. Before all that a part is moved by its
+/// field-data array `innerPose` (null: none). Also throws InputError for a pose that is not an
+/// invertible affine map, and if some parts with cells have an `innerPose` and others do not.
 InputConnection dynamicConnection(vtkAlgorithm* filter, int index, vtkDataObject* data,
   vtkLinearTransform* transform, const char* innerPose);
 

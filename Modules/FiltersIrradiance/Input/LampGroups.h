@@ -15,11 +15,9 @@ namespace irradiance
 
 struct ConvertedPolyData;
 
-/**
- * The light groups that inputs name. A lamp belongs to the group that the cell array `LightGroup`
- * says, of texts or numbers; else to the one of the field-data array `LightGroup` of its part or
- * connection; else to the default group of its connection. Groups keep their numbers.
- */
+/// The light groups that inputs name. A lamp belongs to the group that the cell array `LightGroup`
+/// says, of texts or numbers; else to the one of the field-data array `LightGroup` of its part or
+/// connection; else to the default group of its connection. Groups keep their numbers.
 class LampGroups
 {
 public:

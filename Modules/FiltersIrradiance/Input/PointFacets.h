@@ -28,18 +28,17 @@ struct PointFacet
   bool isFrontDark, isBackDark; ///< no light can come to it at all
 };
 
-/**
- * The facets of all points, in the order of these; a point without polygons, or only with such that
- * have no area, has none.
- *
- * Where the surface has point normals a point has one facet, with its normal, turned to the fronts
- * of the cells. Else cells belong to the first facet of the point whose normal is less than
- * `featureAngle` (rad) from theirs, or to one of their own; its normal is the mean of theirs,
- * weighted by their angles at the point.
- *
- * `isMirrored`: fronts are where the corners run clockwise. `rounding`: of the coordinates, m: how
- * far from edges sensors lie at least. `cells`: those of the surface. `shapes`: see darkShapesOf().
- */
+/// The facets of all points, in the order of these; a point without polygons, or only with such
+/// that have no area, has none.
+///
+/// Where the surface has point normals a point has one facet, with its normal, turned to the fronts
+/// of the cells. Else cells belong to the first facet of the point whose normal is less than
+/// `featureAngle` (rad) from theirs, or to one of their own; its normal is the mean of theirs,
+/// weighted by their angles at the point.
+///
+/// `isMirrored`: fronts are where the corners run clockwise. `rounding`: of the coordinates, m: how
+/// far from edges sensors lie at least. `cells`: those of the surface. `shapes`: see
+/// darkShapesOf().
 std::vector<PointFacet> pointFacetsOf(vtkPolyData* surface, bool isMirrored, double featureAngle,
   double rounding, const PartCells& cells, const CellShapes& shapes,
   const CancelPoint& cancelPoint);

@@ -88,12 +88,8 @@ AffineMap poseOf(const std::string& where, vtkFieldData* fields, const char* arr
 bool hasFieldPose(vtkFieldData* fields)
 {
   vtkAbstractArray* array = fields ? fields->GetAbstractArray(kFieldPoseName) : nullptr;
-  if (!array)
-  {
-    return false;
-  }
   const bool isMatrix = vtkDataArray::SafeDownCast(array) && array->GetNumberOfValues() == 16;
-  return !isMatrix || matrixOf("", array) != Matrix4::Identity();
+  return array && (!isMatrix || matrixOf("", array) != Matrix4::Identity());
 }
 
 vtkSmartPointer<vtkLinearTransform> transformOf(const double elements[16])
@@ -120,11 +116,9 @@ AffineMap checkedPose(const std::string& where, const AffineMap& map)
 
 AffineMap composed(const AffineMap& outer, const AffineMap& inner)
 {
-  if (outer == AffineMap() || inner == AffineMap())
-  {
-    return outer == AffineMap() ? inner : outer;
-  }
-  return { outer.linear * inner.linear, outer(inner.translation) };
+  return outer == AffineMap() ? inner
+    : inner == AffineMap()    ? outer
+                              : AffineMap{ outer.linear * inner.linear, outer(inner.translation) };
 }
 
 }

@@ -28,13 +28,11 @@ bool isEqual(
   const std::vector<Triangle>& a, const std::vector<Triangle>& b, const CancelPoint& cancelPoint)
 {
   ThrottledCancelPoint pace(cancelPoint);
-  bool isEqual = a.size() == b.size();
-  for (std::size_t i = 0; isEqual && i < a.size(); ++i)
-  {
-    isEqual = a[i] == b[i];
-    pace.step();
-  }
-  return isEqual;
+  return std::equal(
+    a.begin(), a.end(), b.begin(), b.end(), [&](const auto& one, const auto& other) {
+      pace.step();
+      return one == other;
+    });
 }
 
 /// A finite map can take finite points to where squares and volumes are not finite.

@@ -15,14 +15,12 @@
 namespace irradiance
 {
 
-/**
- * Keeps the engine's scene in step with the inputs of the filter. What did not change keeps its
- * address, by which the engine recognizes it. An input is read when VTK says that it was modified,
- * and replaced only if its values differ. The triangles of a dynamic input whose pose mirrors are
- * turned over, so that the front of each is the mirror image of its front: elsewhere a triangle's
- * corners tell its front in the world, whatever the pose. A dynamic input without cells is an
- * object that is not there; it keeps its body, which may come back.
- */
+/// Keeps the engine's scene in step with the inputs of the filter. What did not change keeps its
+/// address, by which the engine recognizes it. An input is read when VTK says that it was modified,
+/// and replaced only if its values differ. The triangles of a dynamic input whose pose mirrors are
+/// turned over, so that the front of each is the mirror image of its front: elsewhere a triangle's
+/// corners tell its front in the world, whatever the pose. A dynamic input without cells is an
+/// object that is not there; it keeps its body, which may come back.
 class SceneReader
 {
 public:

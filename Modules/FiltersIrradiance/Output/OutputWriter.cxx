@@ -295,7 +295,7 @@ struct OutputWriter
     });
     if (settings.repairTimeBudget > 0)
     {
-      addWatts(kStaleGainBound, [&](int band) {
+      addWatts("StaleGainBound", [&](int band) {
         return groups.sum(
           band, [&](const IrradianceEngine& engine) { return engine.staleGainBound(band); });
       });
@@ -317,28 +317,28 @@ struct OutputWriter
       groups.count([](const Engine& engine) -> WalkStatistics { return engine.statistics(); });
     addCount(kNumberOfWalks,
       groups.count([](const Engine& engine) { return engine.walks().numberOfShotWalks(); }));
-    addCount(kNumberOfSegments,
+    addCount("NumberOfSegments",
       groups.count([](const Engine& engine) { return engine.balance().segments; }));
     if (settings.cellEstimate == CellEstimate::Gathered)
     {
-      addCount(kNumberOfGatherRays, static_cast<std::int64_t>(any.numberOfGatherRays()));
+      addCount("NumberOfGatherRays", static_cast<std::int64_t>(any.numberOfGatherRays()));
     }
-    addCount(kDirectLight, settings.gathersDirectLight ? 1 : 0);
-    addCount(kCellEstimate, static_cast<int>(settings.cellEstimate));
+    addCount("DirectLight", settings.gathersDirectLight ? 1 : 0);
+    addCount("CellEstimate", static_cast<int>(settings.cellEstimate));
     if (arrays.errors)
     {
-      addNumber(kConfidenceFactor, ErrorEstimate::confidenceFactor(settings.replicates));
+      addNumber("ConfidenceFactor", ErrorEstimate::confidenceFactor(settings.replicates));
     }
     if (settings.targetRelativeError > 0)
     {
-      addNumber(kReachedRelativeError, groups.reachedRelativeError());
+      addNumber("ReachedRelativeError", groups.reachedRelativeError());
     }
-    addCount(kNumberOfInvalidWalks, statistics.invalidWalks);
-    addCount(kNumberOfRepairedSegments, statistics.repairedSegments);
-    addNumber(kShootSeconds, statistics.shootSeconds);
-    addNumber(kVerifySeconds, statistics.verifySeconds);
-    addNumber(kRepairSeconds, statistics.repairSeconds);
-    addCount(kHistoryBytes, groups.count([](const Engine& engine) {
+    addCount("NumberOfInvalidWalks", statistics.invalidWalks);
+    addCount("NumberOfRepairedSegments", statistics.repairedSegments);
+    addNumber("ShootSeconds", statistics.shootSeconds);
+    addNumber("VerifySeconds", statistics.verifySeconds);
+    addNumber("RepairSeconds", statistics.repairSeconds);
+    addCount("HistoryBytes", groups.count([](const Engine& engine) {
       return static_cast<std::int64_t>(engine.statistics().historyBytes);
     }));
   }
@@ -351,8 +351,9 @@ struct OutputWriter
     {
       return;
     }
-    const auto names = addArray<vtkStringArray>(fields, kLightGroups, 1, count);
-    const auto factors = addArray<vtkDoubleArray>(fields, kLightGroupFactors, scene.bands(), count);
+    const auto names = addArray<vtkStringArray>(fields, "LightGroups", 1, count);
+    const auto factors =
+      addArray<vtkDoubleArray>(fields, "LightGroupFactors", scene.bands(), count);
     for (vtkIdType i = 0; i < count; ++i)
     {
       const LightGroup& group = groups.all()[static_cast<std::size_t>(i)];

@@ -88,7 +88,7 @@ std::string gatherLight(
   }
   if (arrays.haveErrors())
   {
-    addTuple<vtkIdTypeArray>(run.output->GetFieldData(), kNumberOfUnknownErrors, { unknown });
+    addTuple<vtkIdTypeArray>(run.output->GetFieldData(), "NumberOfUnknownErrors", { unknown });
   }
   if (run.areGroupsApart)
   {

@@ -13,12 +13,10 @@
 namespace irradiance
 {
 
-/**
- * Puts the pieces that the processes hold of each part of the scene together, on each process. The
- * cells of the whole are ordered by their global ids, if they have some, and else by their places,
- * so that the order does not depend on who held what. What all processes have alike is whole
- * already, and counts once. Only a part of which a piece has changed is put together again.
- */
+/// Puts the pieces that the processes hold of each part of the scene together, on each process. The
+/// cells of the whole are ordered by their global ids, if they have some, and else by their places,
+/// so that the order does not depend on who held what. What all processes have alike is whole
+/// already, and counts once. Only a part of which a piece has changed is put together again.
 class DistributedInput
 {
 public:

@@ -73,11 +73,12 @@ void fail(vtkDataObject* output)
 
 }
 
-void setInputTypes(vtkInformation* port, const char* composite, const char* other)
+int setInputTypes(vtkInformation* port, const char* composite, const char* other)
 {
   port->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
   port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), composite);
   port->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), other);
+  return 1;
 }
 
 std::uint32_t checked(const char* name, vtkIdType value, vtkIdType low, vtkIdType high)

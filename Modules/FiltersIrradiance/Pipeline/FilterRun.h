@@ -40,8 +40,8 @@ private:
 
 /// Has an input port take data of these types. Composite ones come first: else the executive would
 /// call the filter for each block separately. vtkDataObject: the filter refuses other data itself,
-/// once and in words that help.
-void setInputTypes(vtkInformation* port, const char* composite, const char* other);
+/// once and in words that help. Returns 1, as FillInputPortInformation() does.
+int setInputTypes(vtkInformation* port, const char* composite, const char* other);
 
 /// The value of a property. Throws InputError unless `low` <= value <= `high`.
 std::uint32_t checked(const char* name, vtkIdType value, vtkIdType low, vtkIdType high);

@@ -17,10 +17,8 @@ class vtkPolyData;
 namespace irradiance
 {
 
-/**
- * The light groups behind an output of vtkIrradianceFilter. The output carries a counted reference to it,
- * which its shallow and deep copies share, so it lives as long as they do.
- */
+/// The light groups behind an output of vtkIrradianceFilter. The output carries a counted reference
+/// to it, which its shallow and deep copies share, so it lives as long as they do.
 class PhotonSource
 {
 public:

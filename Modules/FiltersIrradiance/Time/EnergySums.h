@@ -4,6 +4,7 @@
 
 #include "Data/ArrayNames.h"
 #include "Data/NamedArray.h"
+#include "Geometry/Vector.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -31,26 +32,15 @@ public:
       isKnown_ = isKnown_ && powers[i] && powers[i]->GetNumberOfTuples() == 1 &&
         powers[i]->GetNumberOfComponents() == powers[0]->GetNumberOfComponents();
     }
-    if (!isKnown_)
+    const int bands = isKnown_ ? powers[0]->GetNumberOfComponents() : 0;
+    makeRoomFor(static_cast<std::size_t>(bands));
+    for (int band = 0; band < bands; ++band)
     {
-      return;
-    }
-    const auto bands = static_cast<std::size_t>(powers[0]->GetNumberOfComponents());
-    const auto power = [&](std::size_t i, std::size_t band) {
-      return powers[i]->GetComponent(0, static_cast<int>(band));
-    };
-    for (std::size_t i = 0; i < powers.size(); ++i)
-    {
-      energies_[i].resize(std::max(bands, energies_[i].size()));
-      for (std::size_t band = 0; band < bands; ++band)
-      {
-        energies_[i][band] += weight * power(i, band);
-      }
-    }
-    for (std::size_t band = 0; band < bands; ++band)
-    {
-      const double off = std::abs(power(0, band) - power(1, band) - power(2, band));
-      worstBalance_ = off > 0 ? std::max(worstBalance_, off / power(0, band)) : worstBalance_;
+      const auto power = [&](std::size_t i) { return powers[i]->GetComponent(0, band); };
+      const Vector3 watts(power(0), power(1), power(2));
+      energies_[static_cast<std::size_t>(band)] += weight * watts;
+      const double off = std::abs(watts[0] - watts[1] - watts[2]);
+      worstBalance_ = off > 0 ? std::max(worstBalance_, off / watts[0]) : worstBalance_;
     }
   }
   /// Appends the sums over later times.
@@ -58,25 +48,27 @@ public:
   {
     isKnown_ = isKnown_ && next.isKnown_;
     worstBalance_ = std::max(worstBalance_, next.worstBalance_);
-    for (std::size_t i = 0; i < energies_.size(); ++i)
+    makeRoomFor(next.energies_.size());
+    for (std::size_t band = 0; band < next.energies_.size(); ++band)
     {
-      energies_[i].resize(std::max(energies_[i].size(), next.energies_[i].size()));
-      for (std::size_t band = 0; band < next.energies_[i].size(); ++band)
-      {
-        energies_[i][band] += next.energies_[i][band];
-      }
+      energies_[band] += next.energies_[band];
     }
   }
   /// Adds `EmittedEnergy`, `AbsorbedEnergy`, `EscapedEnergy` (J) and `PowerBalanceError`, if known.
   void write(vtkFieldData* fields) const
   {
-    if (!isKnown_ || energies_[0].empty())
+    if (!isKnown_ || energies_.empty())
     {
       return;
     }
-    for (std::size_t i = 0; i < kEnergies.size(); ++i)
+    for (int i = 0; i < 3; ++i)
     {
-      addTuple<vtkDoubleArray>(fields, kEnergies[i], energies_[i]);
+      std::vector<double> energy;
+      for (const Vector3& ofBand : energies_)
+      {
+        energy.push_back(ofBand[i]);
+      }
+      addTuple<vtkDoubleArray>(fields, kEnergies[static_cast<std::size_t>(i)], energy);
     }
     addTuple<vtkDoubleArray>(fields, "PowerBalanceError", { worstBalance_ });
   }
@@ -87,8 +79,13 @@ private:
   static constexpr std::array<const char*, 3> kEnergies{ "EmittedEnergy", "AbsorbedEnergy",
     "EscapedEnergy" };
 
+  void makeRoomFor(std::size_t bands)
+  {
+    energies_.resize(std::max(bands, energies_.size()), Vector3::Zero());
+  }
+
   bool isKnown_ = true;
-  std::array<std::vector<double>, 3> energies_; ///< emitted, absorbed, escaped; J of each band
+  std::vector<Vector3> energies_; ///< emitted, absorbed, escaped; J of each band
   double worstBalance_ = 0;
 };
 

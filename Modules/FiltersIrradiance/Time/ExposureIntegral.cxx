@@ -119,12 +119,8 @@ std::vector<double> dataSetAreas(vtkDataSet* data)
   sizes->Update();
   vtkDataArray* array =
     vtkDataSet::SafeDownCast(sizes->GetOutput())->GetCellData()->GetArray("Area");
-  std::vector<double> areas;
-  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
-  {
-    areas.push_back(array->GetComponent(i, 0));
-  }
-  return areas;
+  const SharedValues areas = valuesOf(array);
+  return { areas.get(), areas.get() + data->GetNumberOfCells() };
 }
 
 /// The areas of all cells, in the squared unit of the points; 0 for cells that have none.

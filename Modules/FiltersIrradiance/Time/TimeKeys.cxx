@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace irradiance
 {
@@ -20,12 +21,6 @@ namespace
 {
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
-
-void sortOnce(std::vector<double>& times)
-{
-  std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-}
 
 std::string rangeText(const TimeSpan& span)
 {
@@ -59,18 +54,16 @@ bool isOfTime(vtkInformation* input, double time, const TimeSpan& span)
 
 std::vector<double> stepsOf(vtkInformation* input)
 {
-  std::vector<double> steps;
-  if (const double* given = input->Get(Pipeline::TIME_STEPS()))
-  {
-    steps.assign(given, given + input->Length(Pipeline::TIME_STEPS()));
-  }
-  sortOnce(steps);
-  return steps;
+  const double* given = input->Get(Pipeline::TIME_STEPS());
+  const int count = given ? input->Length(Pipeline::TIME_STEPS()) : 0;
+  const std::set<double> steps(given, given + count);
+  return { steps.begin(), steps.end() };
 }
 
 void uniteTimes(vtkInformationVector** inputs, int ports, vtkInformationVector* outputs,
-  std::vector<double> steps)
+  const std::vector<double>& further)
 {
+  std::set<double> all(further.begin(), further.end());
   double range[2] = { HUGE_VAL, -HUGE_VAL };
   const auto extend = [&range](double first, double last) {
     range[0] = std::min(range[0], first);
@@ -82,14 +75,14 @@ void uniteTimes(vtkInformationVector** inputs, int ports, vtkInformationVector* 
     {
       vtkInformation* input = inputs[port]->GetInformationObject(i);
       const std::vector<double> own = stepsOf(input);
-      steps.insert(steps.end(), own.begin(), own.end());
+      all.insert(own.begin(), own.end());
       if (const double* given = input->Get(Pipeline::TIME_RANGE()))
       {
         extend(given[0], given[1]);
       }
     }
   }
-  sortOnce(steps);
+  std::vector<double> steps(all.begin(), all.end());
   if (!steps.empty())
   {
     extend(steps.front(), steps.back());

@@ -18,11 +18,11 @@ namespace irradiance
 std::vector<double> stepsOf(vtkInformation* input);
 
 /// Sets TIME_STEPS and TIME_RANGE of a filter with several inputs, on all outputs: the steps of all
-/// connections of the first `ports` input ports, with further `steps`, and the range that holds all
+/// connections of the first `ports` input ports, with `further` ones, and the range that holds all
 /// steps and ranges; removes them where there are no times. VTK's executive passes on the times of
 /// the first input alone, and a filter without TIME_RANGE does not execute when the time changes.
 void uniteTimes(vtkInformationVector** inputs, int ports, vtkInformationVector* outputs,
-  std::vector<double> steps = {});
+  const std::vector<double>& further = {});
 
 /// The span of an exposure, given the properties of the same names (NaN: the end of what the input
 /// has). Throws InputError.
