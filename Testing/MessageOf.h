@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef MessageOf_h
-#define MessageOf_h
+#pragma once
 
 #include <exception>
 #include <functional>
@@ -19,5 +18,3 @@ inline std::string MessageOf(const std::function<void()>& action)
   }
   return "nothing thrown";
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef WriteFile_h
-#define WriteFile_h
+#pragma once
 
 #include <gtest/gtest.h>
 
@@ -14,5 +13,3 @@ inline std::string WriteFile(const std::string& name, const std::string& text)
   std::ofstream(path) << text;
   return path;
 }
-
-#endif

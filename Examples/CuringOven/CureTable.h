@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** What the doses of the parts come to. */
-#ifndef CureTable_h
-#define CureTable_h
+#pragma once
 
 #include "ProductionLine.h"
 
@@ -45,5 +44,3 @@ void WriteTables(const std::vector<Cure>& rows, vtkMultiBlockDataSet* scene,
   const std::vector<Part>& parts, const std::string& folder);
 
 }
-
-#endif

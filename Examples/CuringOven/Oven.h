@@ -4,8 +4,7 @@
  * reflectors under its ceiling. In m: x along the conveyor, y across it, z up from the belt; the
  * origin is in the middle of the tunnel.
  */
-#ifndef Oven_h
-#define Oven_h
+#pragma once
 
 #include "OvenOptions.h"
 
@@ -47,5 +46,3 @@ enum OvenMesh
 std::vector<vtkSmartPointer<vtkPolyData>> MakeOven(const OvenOptions& options);
 
 }
-
-#endif

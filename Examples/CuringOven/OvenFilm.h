@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef OvenFilm_h
-#define OvenFilm_h
+#pragma once
 
 #include "ProductionLine.h"
 
@@ -61,5 +60,3 @@ private:
 };
 
 }
-
-#endif

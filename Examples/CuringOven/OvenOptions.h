@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef OvenOptions_h
-#define OvenOptions_h
+#pragma once
 
 #include <string>
 #include <vector>
@@ -41,5 +40,3 @@ OvenOptions ReadOptions(const std::vector<std::string>& words);
 std::string HelpText();
 
 }
-
-#endif

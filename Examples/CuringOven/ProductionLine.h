@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Parts on the conveyor, and the light that they receive in the oven over time. */
-#ifndef ProductionLine_h
-#define ProductionLine_h
+#pragma once
 
 #include "OvenOptions.h"
 
@@ -41,5 +40,3 @@ vtkSmartPointer<vtkIrradianceFilter> MakeLight(
   const OvenOptions& options, const std::vector<Part>& parts, int walks);
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef RideLog_h
-#define RideLog_h
+#pragma once
 
 #include "ProductionLine.h"
 
@@ -70,5 +69,3 @@ private:
 };
 
 }
-
-#endif

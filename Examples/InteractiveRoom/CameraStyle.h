@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef CameraStyle_h
-#define CameraStyle_h
+#pragma once
 
 #include <vtkInteractorStyleTrackballCamera.h>
 
@@ -18,5 +17,3 @@ public:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef DragTiming_h
-#define DragTiming_h
+#pragma once
 
 #include "RoomWindow.h"
 
@@ -15,5 +14,3 @@ namespace interactiveroom
 void PrintDragTiming(RoomWindow& window, LightFollower& light, int frames);
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef DraggedThings_h
-#define DraggedThings_h
+#pragma once
 
 #include "LightFollower.h"
 #include "SceneView.h"
@@ -54,5 +53,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** What mouse and keys do, in a file of vtkInteractorEventRecorder. */
-#ifndef EventFile_h
-#define EventFile_h
+#pragma once
 
 #include <vtkSmartPointer.h>
 
@@ -21,5 +20,3 @@ vtkSmartPointer<vtkInteractorEventRecorder> RecordEvents(
   const std::string& file, vtkRenderWindowInteractor* interactor);
 
 }
-
-#endif

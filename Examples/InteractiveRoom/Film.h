@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Film_h
-#define Film_h
+#pragma once
 
 #include <vtkNew.h>
 #include <vtkOggTheoraWriter.h>
@@ -32,5 +31,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef FrameRate_h
-#define FrameRate_h
+#pragma once
 
 #include <chrono>
 #include <deque>
@@ -47,5 +46,3 @@ private:
 };
 
 }
-
-#endif

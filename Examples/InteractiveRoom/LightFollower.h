@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef LightFollower_h
-#define LightFollower_h
+#pragma once
 
 #include "Room.h"
 
@@ -57,5 +56,3 @@ private:
 };
 
 }
-
-#endif

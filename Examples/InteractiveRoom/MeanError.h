@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef MeanError_h
-#define MeanError_h
+#pragma once
 
 #include "Room.h"
 
@@ -31,5 +30,3 @@ private:
 };
 
 }
-
-#endif

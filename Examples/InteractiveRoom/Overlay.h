@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Overlay_h
-#define Overlay_h
+#pragma once
 
 #include <vtkButtonWidget.h>
 #include <vtkNew.h>
@@ -50,5 +49,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Room_h
-#define Room_h
+#pragma once
 
 #include "Meshes.h"
 
@@ -43,5 +42,3 @@ struct Room
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef RoomOptions_h
-#define RoomOptions_h
+#pragma once
 
 #include <string>
 #include <vector>
@@ -33,5 +32,3 @@ RoomOptions ReadOptions(const std::vector<std::string>& words);
 std::string HelpText();
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef RoomPresets_h
-#define RoomPresets_h
+#pragma once
 
 #include "Room.h"
 
@@ -18,5 +17,3 @@ const std::vector<std::string>& PresetNames();
 Room MakePreset(const std::string& name);
 
 }
-
-#endif

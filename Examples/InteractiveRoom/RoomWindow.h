@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef RoomWindow_h
-#define RoomWindow_h
+#pragma once
 
 #include "DraggedThings.h"
 #include "FrameRate.h"
@@ -89,5 +88,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef SceneView_h
-#define SceneView_h
+#pragma once
 
 #include "LightFollower.h"
 
@@ -44,5 +43,3 @@ private:
 };
 
 }
-
-#endif

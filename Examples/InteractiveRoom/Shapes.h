@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Things of simple shape, each standing with the middle of its foot on the origin. Lengths in m. */
-#ifndef Shapes_h
-#define Shapes_h
+#pragma once
 
 #include "Room.h"
 
@@ -34,5 +33,3 @@ MovingThing MakeMoving(const std::string& name, Mesh mesh, double reflectance,
 Mesh Moved(vtkPolyData* mesh, double x, double y, double z);
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef ShownRoom_h
-#define ShownRoom_h
+#pragma once
 
 // What the tests of the window share.
 #include "../../Testing/FiltersIrradiance/TestScenes.h"
@@ -108,5 +107,3 @@ inline vtkSmartPointer<vtkImageData> PictureOf(Shown& shown)
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef UserMeshes_h
-#define UserMeshes_h
+#pragma once
 
 #include "Room.h"
 
@@ -16,5 +15,3 @@ Room ReadUserRoom(const std::vector<std::string>& stillFiles,
   const std::vector<std::string>& movingFiles, double unit);
 
 }
-
-#endif

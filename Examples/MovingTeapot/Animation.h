@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Animation_h
-#define Animation_h
+#pragma once
 
 #include "Options.h"
 #include "ProgressBar.h"
@@ -103,5 +102,3 @@ private:
 };
 
 }
-
-#endif

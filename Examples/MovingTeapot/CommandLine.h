@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Options of a program from a table of them: each says what it takes and where that goes. */
-#ifndef CommandLine_h
-#define CommandLine_h
+#pragma once
 
 #include <functional>
 #include <limits>
@@ -46,5 +45,3 @@ std::string ComposeHelp(const std::string& purpose, const std::vector<Option>& o
   const std::string& notes, const std::string& results);
 
 }
-
-#endif

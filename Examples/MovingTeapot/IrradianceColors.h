@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef IrradianceColors_h
-#define IrradianceColors_h
+#pragma once
 
 #include <vtkColorTransferFunction.h>
 
@@ -23,5 +22,3 @@ inline void SetIrradianceColors(vtkColorTransferFunction* colors, double brighte
 }
 
 }
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** The meshes of the scene: boxes cut into cells, the Utah teapot, a user's own from a file. */
-#ifndef Meshes_h
-#define Meshes_h
+#pragma once
 
 #include <vtkSmartPointer.h>
 
@@ -61,5 +60,3 @@ vtkSmartPointer<vtkPolyData> ReadMeshFile(const std::string& path);
 vtkSmartPointer<vtkPolyData> FitMesh(vtkPolyData* mesh, const Box& box);
 
 }
-
-#endif

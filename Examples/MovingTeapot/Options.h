@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Options_h
-#define Options_h
+#pragma once
 
 #include "TeapotScene.h"
 
@@ -36,5 +35,3 @@ Options ReadOptions(const std::vector<std::string>& words);
 std::string HelpText();
 
 }
-
-#endif

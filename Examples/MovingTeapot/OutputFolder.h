@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Where a program puts what it makes, and whether it can draw. */
-#ifndef OutputFolder_h
-#define OutputFolder_h
+#pragma once
 
 #include <string>
 
@@ -26,5 +25,3 @@ void AddParaViewState(const std::string& folder);
 bool CanDraw();
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef ProgressBar_h
-#define ProgressBar_h
+#pragma once
 
 #include <unistd.h>
 
@@ -82,5 +81,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Recording_h
-#define Recording_h
+#pragma once
 
 #include "Options.h"
 
@@ -58,5 +57,3 @@ private:
 };
 
 }
-
-#endif

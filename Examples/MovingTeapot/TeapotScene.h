@@ -3,8 +3,7 @@
  * What stands in the picture: a closed room with a lamp under its ceiling, a head on a plinth, and
  * a teapot. Lengths in m, z up, the middle of the floor is the origin, one looks in along +y.
  */
-#ifndef TeapotScene_h
-#define TeapotScene_h
+#pragma once
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -58,5 +57,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef TimingTable_h
-#define TimingTable_h
+#pragma once
 
 class vtkFieldData;
 
@@ -19,5 +18,3 @@ namespace movingteapot
 void PrintTimingTable(vtkFieldData* cached, vtkFieldData* uncached, vtkFieldData* afresh);
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef VtkErrors_h
-#define VtkErrors_h
+#pragma once
 
 #include <vtkLogger.h>
 #include <vtkNew.h>
@@ -52,5 +51,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_IrradianceEngine_h
-#define irradiance_IrradianceEngine_h
+#pragma once
 
 #include "Estimates/CellEstimate.h"
 #include "Estimates/CellEstimator.h"
@@ -221,5 +220,3 @@ private:
 };
 
 }
-
-#endif

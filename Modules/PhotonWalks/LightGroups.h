@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_LightGroups_h
-#define irradiance_LightGroups_h
+#pragma once
 
 #include "Estimates/AutomaticChoice.h"
 #include "IrradianceEngine.h"
@@ -226,5 +225,3 @@ private:
 };
 
 }
-
-#endif

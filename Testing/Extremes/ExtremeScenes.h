@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef ExtremeScenes_h
-#define ExtremeScenes_h
+#pragma once
 
 #include "../FiltersIrradiance/ErrorObserver.h"
 #include "../FiltersIrradiance/OutputBits.h"
@@ -293,5 +292,3 @@ inline std::string ErrorOf(const Scene& scene, vtkIdType walks = 100)
 }
 
 }
-
-#endif

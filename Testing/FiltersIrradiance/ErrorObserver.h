@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef ErrorObserver_h
-#define ErrorObserver_h
+#pragma once
 
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
@@ -116,5 +115,3 @@ inline void ExpectOnlyWarning(vtkIrradianceFilter* filter, const std::vector<std
   ExpectOne(reports.Warnings, words);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 2u);
 }
-
-#endif

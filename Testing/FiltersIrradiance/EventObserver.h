@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef EventObserver_h
-#define EventObserver_h
+#pragma once
 
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
@@ -50,5 +49,3 @@ public:
   int AbortIn = 0;              ///< events; 0: never
   double AbortFrom = 2;         ///< progress; above 1: never
 };
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef ExposureScenes_h
-#define ExposureScenes_h
+#pragma once
 
 #include "ErrorObserver.h"
 #include "EventObserver.h"
@@ -154,5 +153,3 @@ inline std::vector<double> IntegrationTimesOf(vtkRadiantExposureFilter* exposure
 }
 
 }
-
-#endif

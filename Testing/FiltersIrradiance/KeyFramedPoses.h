@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef KeyFramedPoses_h
-#define KeyFramedPoses_h
+#pragma once
 
 #include "ErrorObserver.h"
 #include "TestScenes.h"
@@ -76,5 +75,3 @@ inline std::string ErrorOf(vtkKeyFramedPose* pose, double time)
 }
 
 }
-
-#endif

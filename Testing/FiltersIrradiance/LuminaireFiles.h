@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef LuminaireFiles_h
-#define LuminaireFiles_h
+#pragma once
 
 #include "../WriteFile.h"
 #include "ErrorObserver.h"
@@ -228,5 +227,3 @@ inline double Intensity(vtkPolyData* lamp, const Direction& d)
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef OutputBits_h
-#define OutputBits_h
+#pragma once
 
 #include "TestScenes.h"
 
@@ -157,5 +156,3 @@ inline testing::AssertionResult UpdatesLike(vtkIrradianceFilter* filter, vtkIrra
   fresh->Update();
   return IsSame(OutputBits(filter), OutputBits(fresh));
 }
-
-#endif

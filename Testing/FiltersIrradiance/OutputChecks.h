@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef OutputChecks_h
-#define OutputChecks_h
+#pragma once
 
 #include "RandomModel.h"
 
@@ -151,5 +150,3 @@ inline void ExpectBounds(
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PartOverTime_h
-#define PartOverTime_h
+#pragma once
 
 #include "TestScenes.h"
 
@@ -83,5 +82,3 @@ inline void MoveTo(vtkPolyData* part, const TestScenes::Vector& position)
   const auto& [x, y, z] = position;
   TestScenes::SetField(part, "ObjectToWorld", { 1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z, 0, 0, 0, 1 });
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef RandomChoices_h
-#define RandomChoices_h
+#pragma once
 
 #include "TestScenes.h"
 
@@ -27,5 +26,3 @@ inline Vector RandomPlace(RandomNumbers& random)
 }
 
 }
-
-#endif

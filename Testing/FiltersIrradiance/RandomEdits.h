@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef RandomEdits_h
-#define RandomEdits_h
+#pragma once
 
 #include "RandomTrial.h"
 
@@ -402,5 +401,3 @@ inline void RemoveConnection(Trial& t)
 }
 
 }
-
-#endif

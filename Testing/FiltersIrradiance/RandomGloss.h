@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef RandomGloss_h
-#define RandomGloss_h
+#pragma once
 
 #include "RandomChoices.h"
 
@@ -76,5 +75,3 @@ inline bool LimitGloss(
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef RandomLights_h
-#define RandomLights_h
+#pragma once
 
 #include "RandomChoices.h"
 
@@ -152,5 +151,3 @@ inline Mesh RandomSky(RandomNumbers& random)
 }
 
 }
-
-#endif

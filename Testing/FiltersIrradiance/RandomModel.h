@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef RandomModel_h
-#define RandomModel_h
+#pragma once
 
 #include "RandomGloss.h"
 #include "RandomLights.h"
@@ -383,5 +382,3 @@ inline Model RandomModel(RandomNumbers& random)
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef RandomOperations_h
-#define RandomOperations_h
+#pragma once
 
 #include "RandomEdits.h"
 
@@ -382,5 +381,3 @@ inline const Operation Operations[] = { { "MoveAPose", MoveAPose, 18 },
   { "SpoilASetting", SpoilASetting, 1 } };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef RandomProgram_h
-#define RandomProgram_h
+#pragma once
 
 #include "RandomOperations.h"
 
@@ -93,5 +92,3 @@ inline void Print(const Counts& counts)
 }
 
 }
-
-#endif

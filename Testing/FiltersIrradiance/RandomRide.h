@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef RandomRide_h
-#define RandomRide_h
+#pragma once
 
 #include "RandomChoices.h"
 
@@ -64,5 +63,3 @@ inline vtkSmartPointer<vtkKeyFramedPose> MakeRide(vtkDataObject* data, const Rid
 }
 
 }
-
-#endif

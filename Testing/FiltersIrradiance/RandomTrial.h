@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef RandomTrial_h
-#define RandomTrial_h
+#pragma once
 
 #include "ErrorObserver.h"
 #include "EventObserver.h"
@@ -403,5 +402,3 @@ inline void Trial::Compare()
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef RandomView_h
-#define RandomView_h
+#pragma once
 
 #include "RandomChoices.h"
 
@@ -118,5 +117,3 @@ inline View RandomView(RandomNumbers& random)
 }
 
 }
-
-#endif

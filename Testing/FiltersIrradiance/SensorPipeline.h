@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef SensorPipeline_h
-#define SensorPipeline_h
+#pragma once
 
 #include "ErrorObserver.h"
 #include "TestScenes.h"
@@ -51,5 +50,3 @@ struct SensorPipeline
     EXPECT_EQ(this->Probe->GetOutput()->GetNumberOfPoints(), 0);
   }
 };
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef ShownWalks_h
-#define ShownWalks_h
+#pragma once
 
 #include "OutputBits.h"
 
@@ -167,5 +166,3 @@ inline OutputBits LastingBits(vtkPolyData* walks)
 }
 
 }
-
-#endif

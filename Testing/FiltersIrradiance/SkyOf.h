@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef SkyOf_h
-#define SkyOf_h
+#pragma once
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -154,5 +153,3 @@ private:
     return sum;
   }
 };
-
-#endif

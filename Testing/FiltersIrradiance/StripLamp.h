@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef StripLamp_h
-#define StripLamp_h
+#pragma once
 
 #include "TestScenes.h"
 
@@ -56,5 +55,3 @@ struct StripLamp
     return TestScenes::Copy(plane->GetOutput());
   }
 };
-
-#endif

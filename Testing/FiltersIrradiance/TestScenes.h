@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef TestScenes_h
-#define TestScenes_h
+#pragma once
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
@@ -414,5 +413,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef ViewFilters_h
-#define ViewFilters_h
+#pragma once
 
 #include "ErrorObserver.h"
 #include "OutputBits.h"
@@ -181,5 +180,3 @@ private:
   vtkSmartPointer<ErrorObserver> SensorErrors = ErrorObserver::Watch(this->Probe);
   vtkSmartPointer<ErrorObserver> PointErrors = ErrorObserver::Watch(this->Points);
 };
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_fuzzing_ByteReader_h
-#define irradiance_fuzzing_ByteReader_h
+#pragma once
 
 #include <algorithm>
 #include <cmath>
@@ -101,5 +100,3 @@ private:
 };
 
 }
-
-#endif

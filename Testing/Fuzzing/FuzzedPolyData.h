@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef FuzzedPolyData_h
-#define FuzzedPolyData_h
+#pragma once
 
 #include "ByteReader.h"
 
@@ -206,5 +205,3 @@ inline vtkSmartPointer<vtkPolyData> Read(ByteReader& bytes)
 }
 
 }
-
-#endif

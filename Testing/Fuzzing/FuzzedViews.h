@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef FuzzedViews_h
-#define FuzzedViews_h
+#pragma once
 
 #include "ByteReader.h"
 
@@ -211,5 +210,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef BounceFront_h
-#define BounceFront_h
+#pragma once
 
 #include "History/BounceBlock.h"
 
@@ -93,5 +92,3 @@ private:
 };
 
 }
-
-#endif

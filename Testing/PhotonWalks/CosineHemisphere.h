@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_test_CosineHemisphere_h
-#define irradiance_test_CosineHemisphere_h
+#pragma once
 
 #include "Sampling/DirectionSampling.h"
 
@@ -15,5 +14,3 @@ inline Vector3 sampleCosineHemisphere(const Vector3& normal, const std::array<do
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_test_CountedSurface_h
-#define irradiance_test_CountedSurface_h
+#pragma once
 
 #include "Meshes/TriangleInSphere.h"
 #include "Photons/Foot.h"
@@ -100,5 +99,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_test_DirectionBins_h
-#define irradiance_test_DirectionBins_h
+#pragma once
 
 #include "EngineRun.h"
 
@@ -70,5 +69,3 @@ void expectDensity(const Density& density, const Sample& sample)
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_test_EngineRun_h
-#define irradiance_test_EngineRun_h
+#pragma once
 
 #include "IrradianceEngine.h"
 
@@ -325,5 +324,3 @@ private:
 };
 
 }
-
-#endif

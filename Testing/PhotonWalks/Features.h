@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_test_Features_h
-#define irradiance_test_Features_h
+#pragma once
 
 #include "Kit.h"
 
@@ -83,5 +82,3 @@ inline Answer freshAnswer(const Feature& feature, const FilmFrame& frame)
 Film scaledFilm(const Film& film, double scale, bool scalesModels);
 
 }
-
-#endif

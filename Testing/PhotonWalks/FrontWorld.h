@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_test_FrontWorld_h
-#define irradiance_test_FrontWorld_h
+#pragma once
 
 #include "EngineRun.h"
 #include "Scene/Scene.h"
@@ -139,5 +138,3 @@ private:
 };
 
 }
-
-#endif

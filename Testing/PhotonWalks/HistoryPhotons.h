@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_test_HistoryPhotons_h
-#define irradiance_test_HistoryPhotons_h
+#pragma once
 
 #include "IrradianceEngine.h"
 
@@ -51,5 +50,3 @@ inline PhotonChanges changesBetween(
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_test_Kit_h
-#define irradiance_test_Kit_h
+#pragma once
 
 // What most tests need: scenes, engines, executions, and what an engine answers.
 
@@ -207,5 +206,3 @@ inline std::vector<SceneCell> cellsOf(const SceneObjects& objects)
 }
 
 }
-
-#endif

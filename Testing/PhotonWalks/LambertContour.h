@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_test_LambertContour_h
-#define irradiance_test_LambertContour_h
+#pragma once
 
 #include "Geometry/Triangle.h"
 
@@ -87,5 +86,3 @@ double meanOverRectangle(
 }
 
 }
-
-#endif

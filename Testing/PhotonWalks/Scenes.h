@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_test_Scenes_h
-#define irradiance_test_Scenes_h
+#pragma once
 
 #include "TestScenes.h"
 
@@ -457,5 +456,3 @@ inline SceneObject merged(
 }
 
 }
-
-#endif

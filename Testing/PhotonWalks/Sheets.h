@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_test_Sheets_h
-#define irradiance_test_Sheets_h
+#pragma once
 
 #include "Scenes.h"
 
@@ -81,5 +80,3 @@ inline SceneObjects glazedRoom(int bands = 1, double specular = 0.1)
 }
 
 }
-
-#endif

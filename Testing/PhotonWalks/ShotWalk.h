@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef ShotWalk_h
-#define ShotWalk_h
+#pragma once
 
 #include "BounceFront.h"
 #include "Shooting/StoredRays.h"
@@ -82,5 +81,3 @@ inline void storeWalk(
 }
 
 }
-
-#endif

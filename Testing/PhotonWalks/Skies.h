@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_test_Skies_h
-#define irradiance_test_Skies_h
+#pragma once
 
 #include "Surfaces/Sky.h"
 
@@ -122,5 +121,3 @@ inline double skyIrradiance(const RadianceOf& radiance, const Vector3& normal, i
 }
 
 }
-
-#endif

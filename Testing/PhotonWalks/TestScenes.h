@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_test_WalkScenes_h
-#define irradiance_test_WalkScenes_h
+#pragma once
 
 #include "Surfaces/SceneObjects.h"
 
@@ -252,5 +251,3 @@ inline SceneObject nothing(int bands = 1)
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_test_ThreadExecution_h
-#define irradiance_test_ThreadExecution_h
+#pragma once
 
 #include "Execution/Execution.h"
 
@@ -200,5 +199,3 @@ private:
 };
 
 }
-
-#endif

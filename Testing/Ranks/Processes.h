@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Processes_h
-#define Processes_h
+#pragma once
 
 #include "vtkMPIController.h"
 
@@ -35,5 +34,3 @@ inline int Sum(int own)
 }
 
 }
-
-#endif

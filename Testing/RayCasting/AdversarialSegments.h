@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_test_AdversarialSegments_h
-#define irradiance_test_AdversarialSegments_h
+#pragma once
 
 #include "Ellipsoids/EnclosingEllipsoid.h"
 #include "RandomVectors.h"
@@ -243,5 +242,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_test_ExactSegmentTriangle_h
-#define irradiance_test_ExactSegmentTriangle_h
+#pragma once
 
 #include "Geometry/Vector.h"
 
@@ -165,5 +164,3 @@ inline Touch touch(const AffineMap& worldFromObject, const std::array<Vector3, 3
 }
 
 }
-
-#endif

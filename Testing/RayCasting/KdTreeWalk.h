@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_test_KdTreeWalk_h
-#define irradiance_test_KdTreeWalk_h
+#pragma once
 
 #include "Trees/KdTreeBuilder.h"
 
@@ -74,5 +73,3 @@ inline double areaOf(const Box& box)
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_test_QuadGeometry_h
-#define irradiance_test_QuadGeometry_h
+#pragma once
 
 #include "Ellipsoids/EnclosingEllipsoid.h"
 #include "ExactSegmentTriangle.h"
@@ -94,5 +93,3 @@ struct QuadEllipsoid
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_test_RandomVectors_h
-#define irradiance_test_RandomVectors_h
+#pragma once
 
 #include "Geometry/Vector.h"
 
@@ -47,5 +46,3 @@ struct RandomVectors
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_test_SceneTest_h
-#define irradiance_test_SceneTest_h
+#pragma once
 
 #include "TestRays.h"
 #include "TestScenes.h"
@@ -33,5 +32,3 @@ protected:
 };
 
 }
-
-#endif

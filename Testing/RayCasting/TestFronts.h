@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_test_TestFronts_h
-#define irradiance_test_TestFronts_h
+#pragma once
 
 #include "Scene/FrontCast.h"
 
@@ -122,5 +121,3 @@ inline Hit hitOf(const Scene& scene, const SurfaceRecords& records, CastFunction
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_test_TestMeshes_h
-#define irradiance_test_TestMeshes_h
+#pragma once
 
 #include "Meshes/TriangleMesh.h"
 #include "RandomVectors.h"
@@ -422,5 +421,3 @@ inline std::vector<NamedMesh> testMeshes()
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_test_TestRays_h
-#define irradiance_test_TestRays_h
+#pragma once
 
 #include "Geometry/Ray.h"
 #include "Meshes/TriangleMesh.h"
@@ -245,5 +244,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_test_TestScenes_h
-#define irradiance_test_TestScenes_h
+#pragma once
 
 #include "Scene/Scene.h"
 #include "Scene/SurfaceRecords.h"
@@ -327,5 +326,3 @@ inline std::vector<NamedScene> testScenes()
 }
 
 }
-
-#endif

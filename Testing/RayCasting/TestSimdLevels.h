@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef TestSimdLevels_h
-#define TestSimdLevels_h
+#pragma once
 
 #include "Simd/SimdLevel.h"
 
@@ -34,5 +33,3 @@ inline std::vector<SimdLevel> simdLevels()
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef BidirectionalTracer_h
-#define BidirectionalTracer_h
+#pragma once
 
 #include "CellSensors.h"
 #include "Estimates.h"
@@ -59,5 +58,3 @@ Estimates irradianceAt(const irradiance::SceneObjects& objects, const std::vecto
   irradiance::Execution& execution);
 
 }
-
-#endif

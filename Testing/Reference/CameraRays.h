@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef CameraRays_h
-#define CameraRays_h
+#pragma once
 
 #include "Sensor.h"
 
@@ -34,5 +33,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef CellSensors_h
-#define CellSensors_h
+#pragma once
 
 #include "Sensor.h"
 #include "Surfaces/SceneObjects.h"
@@ -119,5 +118,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Estimates_h
-#define Estimates_h
+#pragma once
 
 #include "PathVertex.h"
 
@@ -47,5 +46,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Film_h
-#define Film_h
+#pragma once
 
 #include "CameraRays.h"
 #include "Estimates.h"
@@ -27,5 +26,3 @@ vtkSmartPointer<vtkImageData> MakeImage(const Estimates& pixels, int width, int 
 void WritePicture(vtkImageData* image, double exposure, const std::string& file);
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Lamps_h
-#define Lamps_h
+#pragma once
 
 #include "PathVertex.h"
 #include "Random.h"
@@ -47,5 +46,3 @@ private:
 };
 
 }
-
-#endif

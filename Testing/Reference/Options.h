@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PathTracedRoomOptions_h
-#define PathTracedRoomOptions_h
+#pragma once
 
 #include "Scene/Scene.h"
 
@@ -38,5 +37,3 @@ Options ReadOptions(const std::vector<std::string>& words);
 std::string HelpText();
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PathBatch_h
-#define PathBatch_h
+#pragma once
 
 #include "Lamps.h"
 #include "PathWeight.h"
@@ -77,5 +76,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PathVertex_h
-#define PathVertex_h
+#pragma once
 
 #include "Geometry/Ray.h"
 #include "Geometry/Vector.h"
@@ -103,5 +102,3 @@ struct Departure
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PathWeight_h
-#define PathWeight_h
+#pragma once
 
 #include "PathVertex.h"
 
@@ -51,5 +50,3 @@ struct PathPart
 double balanceWeight(const Strategies& strategies, const PathPart& light, const PathPart& eye);
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Random_h
-#define Random_h
+#pragma once
 
 #include "Geometry/Vector.h"
 
@@ -76,5 +75,3 @@ inline irradiance::Vector3 evenWeights(const std::array<double, 2>& u)
 }
 
 }
-
-#endif

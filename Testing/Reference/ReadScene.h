@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef ReadScene_h
-#define ReadScene_h
+#pragma once
 
 #include "Surfaces/SceneObjects.h"
 
@@ -14,5 +13,3 @@ namespace pathtracedroom
 irradiance::SceneObjects ReadScene(vtkIrradianceFilter* filter);
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef RoomScene_h
-#define RoomScene_h
+#pragma once
 
 #include <vtkCamera.h>
 #include <vtkIrradianceFilter.h>
@@ -29,5 +28,3 @@ struct RoomScene
 void MakeRoomScene(const std::string& name, int segments, RoomScene& scene);
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Sensor_h
-#define Sensor_h
+#pragma once
 
 #include "PathVertex.h"
 #include "Random.h"
@@ -37,5 +36,3 @@ public:
 };
 
 }
-
-#endif

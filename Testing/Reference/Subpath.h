@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Subpath_h
-#define Subpath_h
+#pragma once
 
 #include "PathVertex.h"
 #include "Random.h"
@@ -36,5 +35,3 @@ private:
 };
 
 }
-
-#endif

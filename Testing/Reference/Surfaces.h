@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Surfaces_h
-#define Surfaces_h
+#pragma once
 
 #include "PathVertex.h"
 #include "Surfaces/SceneObjects.h"
@@ -22,5 +21,3 @@ PathVertex vertexOn(const irradiance::SceneObjects& objects, const TriangleId& i
   const irradiance::SurfacePoint& point);
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_ArrayNames_h
-#define irradiance_ArrayNames_h
+#pragma once
 
 #include <array>
 #include <string>
@@ -87,5 +86,3 @@ constexpr const char* kSunIrradiance = "SunIrradiance";
 constexpr const char* kSunAngularRadius = "SunAngularRadius";
 
 }
-
-#endif

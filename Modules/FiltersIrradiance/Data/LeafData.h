@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_LeafData_h
-#define irradiance_LeafData_h
+#pragma once
 
 #include "Progress/InputError.h"
 
@@ -133,5 +132,3 @@ inline vtkSmartPointer<vtkDataObject> snapshotOf(vtkDataObject* data)
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_NamedArray_h
-#define irradiance_NamedArray_h
+#pragma once
 
 #include "Exposure/ReplicateSums.h"
 #include "Progress/InputError.h"
@@ -86,5 +85,3 @@ inline std::vector<double> columnOf(
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SkyTable_h
-#define irradiance_SkyTable_h
+#pragma once
 
 #include "Daylight/SunPosition.h"
 
@@ -44,5 +43,3 @@ struct SkyTable
 SkyTable skyTable(SkyShape shape, const SunPosition& sun, double diffuseHorizontal);
 
 }
-
-#endif

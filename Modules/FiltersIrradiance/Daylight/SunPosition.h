@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SunPosition_h
-#define irradiance_SunPosition_h
+#pragma once
 
 #include "vtkMath.h"
 
@@ -113,5 +112,3 @@ inline double distanceFactor(int dayOfYear)
 }
 
 }
-
-#endif

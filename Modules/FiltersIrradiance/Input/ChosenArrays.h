@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_ChosenArrays_h
-#define irradiance_ChosenArrays_h
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -55,5 +54,3 @@ void checkChosenArrays(vtkAlgorithm* filter, const SceneInputs& inputs);
 std::string noLightWarning(vtkAlgorithm* filter, const SceneInputs& inputs);
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_CommaTable_h
-#define irradiance_CommaTable_h
+#pragma once
 
 #include "Progress/InputError.h"
 
@@ -147,5 +146,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_CoveredLamps_h
-#define irradiance_CoveredLamps_h
+#pragma once
 
 #include "LightGroups.h"
 
@@ -28,5 +27,3 @@ std::vector<CoveredLamps> findCoveredLamps(
   const LightGroup& group, bool areOthers, const CancelPoint& cancelPoint);
 
 }
-
-#endif

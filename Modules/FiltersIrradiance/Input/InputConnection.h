@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_InputConnection_h
-#define irradiance_InputConnection_h
+#pragma once
 
 #include "Geometry/Vector.h"
 #include "Input/ChosenArrays.h"
@@ -123,5 +122,3 @@ private:
 };
 
 }
-
-#endif

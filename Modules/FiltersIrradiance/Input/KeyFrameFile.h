@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_KeyFrameFile_h
-#define irradiance_KeyFrameFile_h
+#pragma once
 
 #include "Geometry/KeyFrames.h"
 
@@ -18,5 +17,3 @@ std::vector<KeyFrame> readKeyFrames(
   const std::string& fileName, const std::function<void(double)>& report);
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_LampGroups_h
-#define irradiance_LampGroups_h
+#pragma once
 
 #include "Input/InputConnection.h"
 #include "LightGroups.h"
@@ -39,5 +38,3 @@ private:
 };
 
 }
-
-#endif

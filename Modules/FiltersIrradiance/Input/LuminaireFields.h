@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_LuminaireFields_h
-#define irradiance_LuminaireFields_h
+#pragma once
 
 #include "Sampling/DirectionTable.h"
 
@@ -40,5 +39,3 @@ void addLuminaires(const LuminaireFields& fields, std::size_t firstCell, std::si
   ConvertedPolyData& target);
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_PartCells_h
-#define irradiance_PartCells_h
+#pragma once
 
 #include "Surfaces/SceneCells.h"
 
@@ -45,5 +44,3 @@ void forEachCell(vtkCellArray* cells, const Visit& visit)
 }
 
 }
-
-#endif

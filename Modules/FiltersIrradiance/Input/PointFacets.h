@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_PointFacets_h
-#define irradiance_PointFacets_h
+#pragma once
 
 #include "Input/PartCells.h"
 #include "Photons/Sensor.h"
@@ -44,5 +43,3 @@ std::vector<PointFacet> pointFacetsOf(vtkPolyData* surface, bool isMirrored, dou
   const CancelPoint& cancelPoint);
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_PolyDataConverter_h
-#define irradiance_PolyDataConverter_h
+#pragma once
 
 #include "Geometry/Triangle.h"
 #include "Input/InputConnection.h"
@@ -49,5 +48,3 @@ std::vector<InputWarning> convertPolyData(const std::string& where, vtkPolyData*
   const CancelPoint& cancelPoint);
 
 }
-
-#endif

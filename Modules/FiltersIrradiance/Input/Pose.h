@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_Pose_h
-#define irradiance_Pose_h
+#pragma once
 
 #include "Geometry/Vector.h"
 
@@ -47,5 +46,3 @@ AffineMap checkedPose(const std::string& where, const AffineMap& map);
 AffineMap composed(const AffineMap& outer, const AffineMap& inner);
 
 }
-
-#endif

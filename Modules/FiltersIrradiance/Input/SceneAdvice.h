@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SceneAdvice_h
-#define irradiance_SceneAdvice_h
+#pragma once
 
 #include "Input/SceneReader.h"
 #include "LightGroups.h"
@@ -24,5 +23,3 @@ std::vector<std::string> sceneAdvice(const SceneInputs& inputs, const SceneReade
   const LightGroups& groups, const CancelPoint& cancelPoint);
 
 }
-
-#endif

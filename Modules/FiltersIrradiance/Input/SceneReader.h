@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SceneReader_h
-#define irradiance_SceneReader_h
+#pragma once
 
 #include "Input/InputConnection.h"
 #include "Input/LampGroups.h"
@@ -93,5 +92,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SkyFields_h
-#define irradiance_SkyFields_h
+#pragma once
 
 #include "Data/ArrayNames.h"
 #include "Data/NamedArray.h"
@@ -165,5 +164,3 @@ inline std::shared_ptr<const Sky> readSky(
 }
 
 }
-
-#endif

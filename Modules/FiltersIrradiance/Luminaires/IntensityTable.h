@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_IntensityTable_h
-#define irradiance_IntensityTable_h
+#pragma once
 
 #include "Geometry/Vector.h"
 #include "Sampling/DirectionTable.h"
@@ -105,5 +104,3 @@ inline IntensityTable expandedTable(const StoredAngles& polar, const StoredAngle
 }
 
 }
-
-#endif

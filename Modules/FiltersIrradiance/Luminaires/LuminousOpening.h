@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_LuminousOpening_h
-#define irradiance_LuminousOpening_h
+#pragma once
 
 #include "Luminaires/IntensityTable.h"
 
@@ -40,5 +39,3 @@ using Facet = std::vector<Vector3>;
 std::vector<Facet> litFacets(const LuminousOpening& opening, const IntensityTable& table);
 
 }
-
-#endif

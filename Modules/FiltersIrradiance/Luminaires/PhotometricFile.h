@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_PhotometricFile_h
-#define irradiance_PhotometricFile_h
+#pragma once
 
 #include "Luminaires/LuminousOpening.h"
 #include "Progress/InputError.h"
@@ -114,5 +113,3 @@ PhotometricFile readPhotometricFile(const std::string& fileName, int lampSet);
 bool isPhotometricFile(const std::string& fileName);
 
 }
-
-#endif

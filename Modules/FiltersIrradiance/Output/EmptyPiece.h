@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_EmptyPiece_h
-#define irradiance_EmptyPiece_h
+#pragma once
 
 #include "Data/ArrayNames.h"
 #include "Data/LeafData.h"
@@ -111,5 +110,3 @@ inline bool haveGroup(vtkDataObject* data, const std::string& group)
 }
 
 }
-
-#endif

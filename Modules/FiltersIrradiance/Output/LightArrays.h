@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_LightArrays_h
-#define irradiance_LightArrays_h
+#pragma once
 
 #include "Data/ArrayNames.h"
 #include "Data/NamedArray.h"
@@ -47,5 +46,3 @@ private:
 };
 
 }
-
-#endif

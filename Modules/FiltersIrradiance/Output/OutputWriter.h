@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_OutputWriter_h
-#define irradiance_OutputWriter_h
+#pragma once
 
 #include "Input/SceneReader.h"
 #include "LightGroups.h"
@@ -27,5 +26,3 @@ void writeEmptyOutput(const SceneInputs& inputs, const EngineSettings& settings,
   vtkMultiBlockDataSet* output);
 
 }
-
-#endif

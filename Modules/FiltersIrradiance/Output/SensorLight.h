@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SensorLight_h
-#define irradiance_SensorLight_h
+#pragma once
 
 #include "Output/LightArrays.h"
 #include "Views/GroupSensors.h"
@@ -41,5 +40,3 @@ std::string measureNearestLight(
   const SensorRun& run, std::uint32_t photons, double maximumRadius, double maximumDistance);
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_WalksWriter_h
-#define irradiance_WalksWriter_h
+#pragma once
 
 #include "Pipeline/PhotonSource.h"
 
@@ -31,5 +30,3 @@ void writeWalks(const WalksRequest& request, const PhotonSource& source,
   vtkMultiBlockDataSet* scene, Execution& execution, vtkPolyData* output);
 
 }
-
-#endif

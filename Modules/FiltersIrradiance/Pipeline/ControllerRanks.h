@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_ControllerRanks_h
-#define irradiance_ControllerRanks_h
+#pragma once
 
 #include "Execution/Ranks.h"
 
@@ -40,5 +39,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_DistributedInput_h
-#define irradiance_DistributedInput_h
+#pragma once
 
 #include "Input/InputConnection.h"
 #include "Pipeline/ControllerRanks.h"
@@ -38,5 +37,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_FilterRun_h
-#define irradiance_FilterRun_h
+#pragma once
 
 #include "Execution/Execution.h"
 
@@ -103,5 +102,3 @@ int runFilter(vtkAlgorithm* filter, vtkDataObject* output, const std::function<v
   Ranks* ranks = nullptr);
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_PhotonSource_h
-#define irradiance_PhotonSource_h
+#pragma once
 
 #include "Input/PartCells.h"
 #include "LightGroups.h"
@@ -51,5 +50,3 @@ private:
 };
 
 }
-
-#endif

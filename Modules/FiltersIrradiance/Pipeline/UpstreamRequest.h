@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_UpstreamRequest_h
-#define irradiance_UpstreamRequest_h
+#pragma once
 
 #include "Execution/Ranks.h"
 
@@ -98,5 +97,3 @@ inline void requestPiece(vtkInformation* input, const Ranks& ranks)
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_WalkMemory_h
-#define irradiance_WalkMemory_h
+#pragma once
 
 #include "History/BounceBlock.h"
 #include "IrradianceEngine.h"
@@ -80,5 +79,3 @@ inline std::string outOfMemory(
 }
 
 }
-
-#endif

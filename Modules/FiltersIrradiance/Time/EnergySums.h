@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_EnergySums_h
-#define irradiance_EnergySums_h
+#pragma once
 
 #include "Data/ArrayNames.h"
 #include "Data/NamedArray.h"
@@ -90,5 +89,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_ExposureIntegral_h
-#define irradiance_ExposureIntegral_h
+#pragma once
 
 #include "Time/ExposureSums.h"
 
@@ -61,5 +60,3 @@ std::unique_ptr<ExposureIntegral> errorControlledIntegral(
   std::vector<double> firstTimes, double tolerance, int mostIntervals);
 
 }
-
-#endif

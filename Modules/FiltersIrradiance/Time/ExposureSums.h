@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_ExposureSums_h
-#define irradiance_ExposureSums_h
+#pragma once
 
 #include "Data/LeafData.h"
 #include "Execution/Execution.h"
@@ -77,5 +76,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_TimeKeys_h
-#define irradiance_TimeKeys_h
+#pragma once
 
 #include "Exposure/IntegrationTimes.h"
 
@@ -46,5 +45,3 @@ bool comesAtStepsOnly(vtkExecutive* executive, int port, const TimeSpan& span);
 bool forgetAborted(vtkExecutive* executive);
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_CellSampler_h
-#define irradiance_CellSampler_h
+#pragma once
 
 #include "DirectLight/DirectPlan.h"
 #include "Meshes/SurfacePoint.h"
@@ -101,5 +100,3 @@ private:
 };
 
 }
-
-#endif

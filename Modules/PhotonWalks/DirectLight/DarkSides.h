@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_DarkSides_h
-#define irradiance_DarkSides_h
+#pragma once
 
 #include "Lights/LightTable.h"
 #include "Surfaces/CellShapes.h"
@@ -32,5 +31,3 @@ void markOuterSides(
 void markDarkSides(CellShapes& cells, const Frame& frame, const LightTable& lights);
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_DirectGather_h
-#define irradiance_DirectGather_h
+#pragma once
 
 #include "DirectLight/WalkStarts.h"
 #include "Sampling/WalkPlan.h"
@@ -139,5 +138,3 @@ private:
 };
 
 }
-
-#endif

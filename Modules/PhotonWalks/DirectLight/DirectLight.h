@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_DirectLight_h
-#define irradiance_DirectLight_h
+#pragma once
 
 #include "DirectLight/CellSampler.h"
 #include "Execution/Execution.h"
@@ -102,5 +101,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_DirectPilot_h
-#define irradiance_DirectPilot_h
+#pragma once
 
 #include "DirectLight/LampPieces.h"
 #include "Surfaces/SceneObjects.h"
@@ -41,5 +40,3 @@ private:
 };
 
 }
-
-#endif

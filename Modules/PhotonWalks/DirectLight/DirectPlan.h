@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_DirectPlan_h
-#define irradiance_DirectPlan_h
+#pragma once
 
 #include "DirectLight/LampChoice.h"
 
@@ -103,5 +102,3 @@ private:
 };
 
 }
-
-#endif

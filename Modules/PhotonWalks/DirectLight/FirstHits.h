@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_FirstHits_h
-#define irradiance_FirstHits_h
+#pragma once
 
 #include "Lights/LightTable.h"
 #include "Surfaces/SceneObjects.h"
@@ -63,5 +62,3 @@ private:
 };
 
 }
-
-#endif

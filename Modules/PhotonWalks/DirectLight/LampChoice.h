@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_LampChoice_h
-#define irradiance_LampChoice_h
+#pragma once
 
 #include "DirectLight/LampPieces.h"
 #include "Surfaces/CellShapes.h"
@@ -75,5 +74,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_LampPieces_h
-#define irradiance_LampPieces_h
+#pragma once
 
 #include "Lights/LampPiece.h"
 #include "Lights/LightTable.h"
@@ -76,5 +75,3 @@ private:
 };
 
 }
-
-#endif

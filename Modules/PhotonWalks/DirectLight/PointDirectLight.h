@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_PointDirectLight_h
-#define irradiance_PointDirectLight_h
+#pragma once
 
 #include "DirectLight/LampChoice.h"
 #include "Lights/SeenLight.h"
@@ -127,5 +126,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_PowerClasses_h
-#define irradiance_PowerClasses_h
+#pragma once
 
 #include "Lights/LightTable.h"
 #include "Surfaces/SceneObjects.h"
@@ -25,5 +24,3 @@ std::vector<LightTable> powerClassesOf(
   const LightTable& lights, const SceneObjects& objects, double leastPart);
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_WalkStarts_h
-#define irradiance_WalkStarts_h
+#pragma once
 
 #include "DirectLight/DirectLight.h"
 
@@ -84,5 +83,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_Execution_h
-#define irradiance_Execution_h
+#pragma once
 
 #include "Execution/Ranks.h"
 #include "Progress/CancelPoint.h"
@@ -260,5 +259,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_Ranks_h
-#define irradiance_Ranks_h
+#pragma once
 
 #include <algorithm>
 #include <cstddef>
@@ -117,5 +116,3 @@ private:
 };
 
 }
-
-#endif

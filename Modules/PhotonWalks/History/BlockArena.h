@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_BlockArena_h
-#define irradiance_BlockArena_h
+#pragma once
 
 #include <algorithm>
 #include <cassert>
@@ -119,5 +118,3 @@ private:
 };
 
 }
-
-#endif

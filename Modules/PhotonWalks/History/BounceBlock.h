@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_BounceBlock_h
-#define irradiance_BounceBlock_h
+#pragma once
 
 #include "History/BlockArena.h"
 #include "History/BouncePage.h"
@@ -377,5 +376,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_BouncePage_h
-#define irradiance_BouncePage_h
+#pragma once
 
 #include "Geometry/Ray.h"
 
@@ -62,5 +61,3 @@ struct BouncePage
 static_assert(sizeof(BouncePage) == std::size_t{ 32 } * BouncePage::kSize);
 
 }
-
-#endif

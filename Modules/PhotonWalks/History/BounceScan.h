@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_BounceScan_h
-#define irradiance_BounceScan_h
+#pragma once
 
 #include "History/BounceBlock.h"
 #include "History/PageScan.h"
@@ -108,5 +107,3 @@ private:
 };
 
 }
-
-#endif

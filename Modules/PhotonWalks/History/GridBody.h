@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_GridBody_h
-#define irradiance_GridBody_h
+#pragma once
 
 #include "Ellipsoids/EllipsoidBound.h"
 #include "History/PointGrid.h"
@@ -61,5 +60,3 @@ GridBall ballOnGrid(const PointGrid& grid, const EllipsoidBound& bound);
 void addOwnBox(const PointGrid& grid, const OwnBox& own, GridBody& body);
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_PageScan_h
-#define irradiance_PageScan_h
+#pragma once
 
 #include "History/BouncePage.h"
 #include "History/GridBody.h"
@@ -78,5 +77,3 @@ inline const BounceLoops& bounceLoops()
 }
 
 }
-
-#endif

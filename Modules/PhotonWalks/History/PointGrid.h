@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_PointGrid_h
-#define irradiance_PointGrid_h
+#pragma once
 
 #include "Geometry/Vector.h"
 #include "Progress/CancelPoint.h"
@@ -77,5 +76,3 @@ struct GridSegments
 };
 
 }
-
-#endif

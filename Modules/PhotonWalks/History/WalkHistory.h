@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_WalkHistory_h
-#define irradiance_WalkHistory_h
+#pragma once
 
 #include "History/BounceBlock.h"
 #include "Sampling/WalkPlan.h"
@@ -292,5 +291,3 @@ inline const WalkHistory& historyOf(const WalkHistories& all, std::uint32_t walk
 }
 
 }
-
-#endif

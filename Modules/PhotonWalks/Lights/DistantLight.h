@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_DistantLight_h
-#define irradiance_DistantLight_h
+#pragma once
 
 #include "Geometry/Ray.h"
 #include "Sampling/DirectionSampling.h"
@@ -124,5 +123,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_IntensityDistribution_h
-#define irradiance_IntensityDistribution_h
+#pragma once
 
 #include "Sampling/SobolPoint.h"
 #include "Surfaces/Power.h"
@@ -185,5 +184,3 @@ inline bool isSame(const std::shared_ptr<const IntensityDistribution>& a,
 }
 
 }
-
-#endif

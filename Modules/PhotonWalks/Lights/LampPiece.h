@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_LampPiece_h
-#define irradiance_LampPiece_h
+#pragma once
 
 #include "Lights/Light.h"
 
@@ -78,5 +77,3 @@ void addPieces(
   const Light& light, std::uint32_t number, double shortest, std::vector<LampPiece>& pieces);
 
 }
-
-#endif

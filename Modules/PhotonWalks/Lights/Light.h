@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_Light_h
-#define irradiance_Light_h
+#pragma once
 
 #include "Geometry/Vector.h"
 #include "Lights/DistantLight.h"
@@ -164,5 +163,3 @@ private:
 };
 
 }
-
-#endif

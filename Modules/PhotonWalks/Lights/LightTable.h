@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_LightTable_h
-#define irradiance_LightTable_h
+#pragma once
 
 #include "Lights/Light.h"
 #include "Sampling/WeightChoice.h"
@@ -215,5 +214,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_PointLight_h
-#define irradiance_PointLight_h
+#pragma once
 
 #include "Geometry/Ray.h"
 #include "Lights/IntensityDistribution.h"
@@ -61,5 +60,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SeenLight_h
-#define irradiance_SeenLight_h
+#pragma once
 
 #include "Lights/LampPiece.h"
 #include "Sampling/SphericalTriangle.h"
@@ -123,5 +122,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_ChangedReflections_h
-#define irradiance_ChangedReflections_h
+#pragma once
 
 #include "History/WalkHistory.h"
 #include "Shooting/WalkStages.h"
@@ -74,5 +73,3 @@ private:
 };
 
 }
-
-#endif

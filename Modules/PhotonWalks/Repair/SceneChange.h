@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SceneChange_h
-#define irradiance_SceneChange_h
+#pragma once
 
 #include "Surfaces/Frame.h"
 
@@ -125,5 +124,3 @@ inline std::vector<bool> findMoved(const SceneObjects& now, const SceneObjects& 
 }
 
 }
-
-#endif

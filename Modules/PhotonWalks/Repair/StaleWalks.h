@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_StaleWalks_h
-#define irradiance_StaleWalks_h
+#pragma once
 
 #include "History/WalkHistory.h"
 #include "Sampling/SobolSequence.h"
@@ -190,5 +189,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_WalkRepair_h
-#define irradiance_WalkRepair_h
+#pragma once
 
 #include "Execution/Execution.h"
 #include "Repair/StaleWalks.h"
@@ -144,5 +143,3 @@ private:
 };
 
 }
-
-#endif

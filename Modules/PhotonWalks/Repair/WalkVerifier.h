@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_WalkVerifier_h
-#define irradiance_WalkVerifier_h
+#pragma once
 
 #include "History/BounceScan.h"
 #include "Repair/ChangedReflections.h"
@@ -143,5 +142,3 @@ private:
 };
 
 }
-
-#endif

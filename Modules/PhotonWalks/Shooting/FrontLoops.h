@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_FrontLoops_h
-#define irradiance_FrontLoops_h
+#pragma once
 
 #include "Sampling/SampleGroup.h"
 #include "Shooting/WalkFront.h"
@@ -86,5 +85,3 @@ inline const FrontLoops& frontLoops()
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_FrontTally_h
-#define irradiance_FrontTally_h
+#pragma once
 
 #include "Shooting/WalkFront.h"
 #include "Surfaces/SceneTriangles.h"
@@ -69,5 +68,3 @@ private:
 };
 
 }
-
-#endif

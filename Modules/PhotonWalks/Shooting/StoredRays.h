@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_StoredRays_h
-#define irradiance_StoredRays_h
+#pragma once
 
 #include "History/WalkHistory.h"
 #include "Shooting/WalkTracer.h"
@@ -49,5 +48,3 @@ private:
 };
 
 }
-
-#endif

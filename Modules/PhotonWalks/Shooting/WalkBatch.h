@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_WalkBatch_h
-#define irradiance_WalkBatch_h
+#pragma once
 
 #include "History/WalkHistory.h"
 #include "Shooting/WalkTracer.h"
@@ -65,5 +64,3 @@ private:
 };
 
 }
-
-#endif

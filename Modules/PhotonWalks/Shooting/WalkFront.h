@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_WalkFront_h
-#define irradiance_WalkFront_h
+#pragma once
 
 #include "Geometry/Ray.h"
 #include "Simd/Column.h"
@@ -165,5 +164,3 @@ private:
 };
 
 }
-
-#endif

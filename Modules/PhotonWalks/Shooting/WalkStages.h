@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_WalkStages_h
-#define irradiance_WalkStages_h
+#pragma once
 
 #include "DirectLight/DirectGather.h"
 #include "Lights/LightTable.h"
@@ -128,5 +127,3 @@ private:
 };
 
 }
-
-#endif

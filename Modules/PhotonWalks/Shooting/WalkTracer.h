@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_WalkTracer_h
-#define irradiance_WalkTracer_h
+#pragma once
 
 #include "Scene/FrontCast.h"
 #include "Shooting/WalkStages.h"
@@ -145,5 +144,3 @@ private:
 };
 
 }
-
-#endif

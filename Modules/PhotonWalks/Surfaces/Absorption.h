@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_Absorption_h
-#define irradiance_Absorption_h
+#pragma once
 
 #include "Surfaces/Material.h"
 #include "Surfaces/Power.h"
@@ -126,5 +125,3 @@ inline Fate fateOf(const Power& incoming, const Material& material, std::size_t 
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_CellShapes_h
-#define irradiance_CellShapes_h
+#pragma once
 
 #include "Surfaces/Frame.h"
 
@@ -61,5 +60,3 @@ private:
 Triangle triangleOf(const SceneTriangles& triangles, std::uint32_t number);
 
 }
-
-#endif

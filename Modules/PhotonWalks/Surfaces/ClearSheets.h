@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_ClearSheets_h
-#define irradiance_ClearSheets_h
+#pragma once
 
 #include "Scene/Scene.h"
 #include "Surfaces/Contacts.h"
@@ -92,5 +91,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_CoincidentTriangles_h
-#define irradiance_CoincidentTriangles_h
+#pragma once
 
 #include "Execution/Execution.h"
 #include "Geometry/Ray.h"
@@ -61,5 +60,3 @@ std::vector<TrianglePair> coincidentBetween(
   const SceneObject& first, const SceneObject& second, const CancelPoint& cancelPoint);
 
 }
-
-#endif

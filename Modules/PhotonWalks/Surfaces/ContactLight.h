@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_ContactLight_h
-#define irradiance_ContactLight_h
+#pragma once
 
 #include "Geometry/Ray.h"
 #include "Meshes/ShellNesting.h"
@@ -125,5 +124,3 @@ private:
 };
 
 }
-
-#endif

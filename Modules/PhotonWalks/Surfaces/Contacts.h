@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_Contacts_h
-#define irradiance_Contacts_h
+#pragma once
 
 #include "Execution/Execution.h"
 #include "Scene/Scene.h"
@@ -117,5 +116,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_Emission_h
-#define irradiance_Emission_h
+#pragma once
 
 #include "Geometry/Vector.h"
 #include "Sampling/DirectionTable.h"
@@ -100,5 +99,3 @@ struct Emission
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_Frame_h
-#define irradiance_Frame_h
+#pragma once
 
 #include "Scene/Scene.h"
 #include "Surfaces/Contacts.h"
@@ -47,5 +46,3 @@ struct Frame
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_GroupLamps_h
-#define irradiance_GroupLamps_h
+#pragma once
 
 #include "Surfaces/Power.h"
 #include "Surfaces/SceneObjects.h"
@@ -70,5 +69,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_KeptParts_h
-#define irradiance_KeptParts_h
+#pragma once
 
 #include "Geometry/Ray.h"
 #include "Surfaces/SceneObjects.h"
@@ -39,5 +38,3 @@ struct KeptParts
 KeptParts keptParts(const SceneObjects& now, const SceneObjects& before);
 
 }
-
-#endif

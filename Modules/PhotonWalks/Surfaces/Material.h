@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_Material_h
-#define irradiance_Material_h
+#pragma once
 
 #include "Surfaces/PhongLobe.h"
 #include "Surfaces/Power.h"
@@ -271,5 +270,3 @@ private:
 };
 
 }
-
-#endif

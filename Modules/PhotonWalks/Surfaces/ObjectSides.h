@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_ObjectSides_h
-#define irradiance_ObjectSides_h
+#pragma once
 
 #include "Meshes/SolidSides.h"
 #include "Surfaces/SceneObjects.h"
@@ -45,5 +44,3 @@ bool linesAnother(const SceneObjects& objects, std::uint32_t object, const Shell
   ObjectSides& sides, const CancelPoint& cancelPoint);
 
 }
-
-#endif

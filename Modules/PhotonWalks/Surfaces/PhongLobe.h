@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_PhongLobe_h
-#define irradiance_PhongLobe_h
+#pragma once
 
 #include "Geometry/Vector.h"
 
@@ -94,5 +93,3 @@ private:
 };
 
 }
-
-#endif

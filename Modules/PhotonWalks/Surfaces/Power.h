@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_Power_h
-#define irradiance_Power_h
+#pragma once
 
 #include <algorithm>
 #include <array>
@@ -84,5 +83,3 @@ struct Bands : std::array<double, Power::kMaxBands>
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SceneCells_h
-#define irradiance_SceneCells_h
+#pragma once
 
 #include "Surfaces/SceneObjects.h"
 
@@ -110,5 +109,3 @@ private:
 };
 
 }
-
-#endif

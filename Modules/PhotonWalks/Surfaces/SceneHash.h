@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SceneHash_h
-#define irradiance_SceneHash_h
+#pragma once
 
 #include "Surfaces/SceneObjects.h"
 
@@ -117,5 +116,3 @@ inline void addScene(const SceneObjects& objects, const SceneObjects* known, Has
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SceneObjects_h
-#define irradiance_SceneObjects_h
+#pragma once
 
 #include "Scene/RigidObject.h"
 #include "Surfaces/Emission.h"
@@ -88,5 +87,3 @@ std::vector<double> cellAreas(const SceneObject& object, const CancelPoint& canc
 double meanReflectance(const SceneObject& object);
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_SceneTriangles_h
-#define irradiance_SceneTriangles_h
+#pragma once
 
 #include "Scene/SurfaceRecords.h"
 #include "Surfaces/SceneCells.h"
@@ -147,5 +146,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_Sky_h
-#define irradiance_Sky_h
+#pragma once
 
 #include "Geometry/Vector.h"
 
@@ -37,5 +36,3 @@ struct Sky
 };
 
 }
-
-#endif

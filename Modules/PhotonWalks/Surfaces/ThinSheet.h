@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_ThinSheet_h
-#define irradiance_ThinSheet_h
+#pragma once
 
 #include "Sampling/ElementaryFunctions.h"
 
@@ -80,5 +79,3 @@ inline PaneLight paneInDiffuseLight(double index, double internal)
 }
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_CellSums_h
-#define irradiance_CellSums_h
+#pragma once
 
 #include "Execution/Ranks.h"
 #include "Geometry/Ray.h"
@@ -297,5 +296,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_PhotonCounts_h
-#define irradiance_PhotonCounts_h
+#pragma once
 
 #include "Tally/CellSums.h"
 
@@ -116,5 +115,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_PowerBalance_h
-#define irradiance_PowerBalance_h
+#pragma once
 
 #include "Execution/Ranks.h"
 #include "Surfaces/Power.h"
@@ -92,5 +91,3 @@ inline bool isExcess(double emitted, double escaped, double error)
 }
 
 }
-
-#endif

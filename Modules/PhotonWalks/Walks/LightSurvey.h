@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_LightSurvey_h
-#define irradiance_LightSurvey_h
+#pragma once
 
 #include "DirectLight/LampPieces.h"
 #include "Surfaces/ObjectSides.h"
@@ -159,5 +158,3 @@ std::vector<WalkSource> directSourcesOf(const SceneObjects& objects,
 void addLamps(std::vector<WalkSource>& sources);
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_WalkSet_h
-#define irradiance_WalkSet_h
+#pragma once
 
 #include "Execution/Execution.h"
 #include "History/WalkHistory.h"
@@ -296,5 +295,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_WalkSets_h
-#define irradiance_WalkSets_h
+#pragma once
 
 #include "History/WalkHistory.h"
 #include "Shooting/StoredRays.h"
@@ -326,5 +325,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_WalkSource_h
-#define irradiance_WalkSource_h
+#pragma once
 
 #include "DirectLight/DirectGather.h"
 #include "Lights/LightTable.h"
@@ -64,5 +63,3 @@ struct WalkSource
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef CellField_h
-#define CellField_h
+#pragma once
 
 #include "IrradianceEngine.h"
 
@@ -44,5 +43,3 @@ inline double meanOf(const CellField& field, const CellField& areas)
 {
   return (field * areas).sum() / areas.sum();
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef EngineTiming_h
-#define EngineTiming_h
+#pragma once
 
 #include "../../PhotonWalks/EngineRun.h"
 #include "Measuring/Rounds.h"
@@ -50,5 +49,3 @@ inline void requireEqualAnswers(const irradiance::IrradianceEngine& a,
     throw std::runtime_error("The answers differ");
   }
 }
-
-#endif

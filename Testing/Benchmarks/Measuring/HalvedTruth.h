@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef HalvedTruth_h
-#define HalvedTruth_h
+#pragma once
 
 #include "Measuring/CellField.h"
 
@@ -55,5 +54,3 @@ struct Agreement
 /// at least two.
 Agreement requireAgreement(const std::string& who, const std::vector<CellField>& runs,
   const HalvedTruth& truth, const CellField& areas, const CellSet& set, double allowed = 1e-3);
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Program_h
-#define Program_h
+#pragma once
 
 #include <string>
 #include <vector>
@@ -31,5 +30,3 @@ private:
 
 /// What a benchmark does; each program defines its own. Errors are exceptions.
 void run(const Arguments& arguments);
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Results_h
-#define Results_h
+#pragma once
 
 #include <cstdio>
 #include <limits>
@@ -40,5 +39,3 @@ inline void report(const std::string& table, const std::string& row, const std::
     report(table, row, quantity, value, goal);
   }
 }
-
-#endif

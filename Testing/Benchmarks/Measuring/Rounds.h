@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Rounds_h
-#define Rounds_h
+#pragma once
 
 #include <algorithm>
 #include <cmath>
@@ -96,5 +95,3 @@ inline std::vector<double> geometricMeans(const std::vector<std::vector<double>>
   }
   return means;
 }
-
-#endif

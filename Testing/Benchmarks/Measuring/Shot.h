@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Shot_h
-#define Shot_h
+#pragma once
 
 #include "Measuring/CellField.h"
 #include "Measuring/EngineTiming.h"
@@ -67,5 +66,3 @@ private:
   double sum_ = 0;
   int count_ = 0;
 };
-
-#endif

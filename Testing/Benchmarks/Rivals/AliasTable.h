@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef AliasTable_h
-#define AliasTable_h
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -58,5 +57,3 @@ private:
 
   std::vector<Entry> entries_;
 };
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Caster_h
-#define Caster_h
+#pragma once
 
 #include "Geometry/Ray.h"
 #include "Meshes/TriangleMesh.h"
@@ -20,5 +19,3 @@ Caster makeCgalCaster(const irradiance::TriangleMesh& mesh);
 
 /// VTK's vtkStaticCellLocator.
 Caster makeVtkCaster(const irradiance::TriangleMesh& mesh);
-
-#endif

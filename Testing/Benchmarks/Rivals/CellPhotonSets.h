@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_CellPhotonSets_h
-#define irradiance_CellPhotonSets_h
+#pragma once
 
 #include "Execution/Execution.h"
 #include "Rivals/PhotonSet.h"
@@ -79,5 +78,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef EmbreeScene_h
-#define EmbreeScene_h
+#pragma once
 
 #include "Rivals/Caster.h"
 #include "Surfaces/SceneObjects.h"
@@ -33,5 +32,3 @@ private:
 /// are incoherent: with the other flag, packets of photon rays are two to four times slower.
 template <class Packet>
 Caster makeEmbreeCaster(std::shared_ptr<const EmbreeScene> scene);
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PhotonLocator_h
-#define PhotonLocator_h
+#pragma once
 
 #include "IrradianceEngine.h"
 #include "Photons/Sensor.h"
@@ -35,5 +34,3 @@ std::unique_ptr<PhotonLocator> makeVtkLocator(const irradiance::IrradianceEngine
 /// engines have shot the same walks, and keep their sides known; they must outlive the locator.
 std::unique_ptr<PhotonLocator> makeLeafLocator(
   irradiance::IrradianceEngine& engine, irradiance::IrradianceEngine& other);
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PhotonMap_h
-#define PhotonMap_h
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -55,5 +54,3 @@ private:
 
   std::vector<Photon> photons_; ///< those below node i are nodes 2 i + 1 and 2 i + 2, and theirs
 };
-
-#endif

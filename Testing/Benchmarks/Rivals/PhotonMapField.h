@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PhotonMapField_h
-#define PhotonMapField_h
+#pragma once
 
 #include "Measuring/CellField.h"
 #include "Rivals/PhotonMap.h"
@@ -12,5 +11,3 @@ std::vector<PhotonMap::Photon> mapPhotonsOf(const irradiance::IrradianceEngine& 
 /// W/m2 at the middles of all cells, towards their fronts, from the `count` nearest photons each.
 CellField irradianceOf(
   const PhotonMap& map, const irradiance::SceneObjects& objects, std::size_t count);
-
-#endif

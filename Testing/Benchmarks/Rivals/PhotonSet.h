@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef irradiance_PhotonSet_h
-#define irradiance_PhotonSet_h
+#pragma once
 
 #include "History/WalkHistory.h"
 
@@ -74,5 +73,3 @@ private:
 };
 
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PlainEmbree_h
-#define PlainEmbree_h
+#pragma once
 
 #include "Rivals/PlainScene.h"
 
@@ -33,5 +32,3 @@ private:
  * shoots.
  */
 std::vector<char> findOpenCells(const PlainScene& scene, const PlainEmbree& embree);
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PlainGatherer_h
-#define PlainGatherer_h
+#pragma once
 
 #include "Rivals/AliasTable.h"
 #include "Rivals/PlainEmbree.h"
@@ -66,5 +65,3 @@ private:
   float offset_;                            ///< m, see PlainScene::offset()
   float (*sky_)(const PlainScene::Vector&); ///< see PlainScene
 };
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PlainPackets_h
-#define PlainPackets_h
+#pragma once
 
 #include <embree3/rtcore.h>
 
@@ -156,5 +155,3 @@ void findPoints(const Packet& packet, float offset, Lanes<kWidthOf<Packet>>& poi
     points.z[k] = ray.org_z[k] + distance * ray.dir_z[k] + offset * normals.z[k];
   }
 }
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PlainScene_h
-#define PlainScene_h
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -98,5 +97,3 @@ std::vector<PlainSource> makeSources(const PlainScene& scene);
 
 /// In the same order, W. Throws std::invalid_argument if there is no light.
 std::vector<double> fluxesOf(const PlainScene& scene);
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PlainTracer_h
-#define PlainTracer_h
+#pragma once
 
 #include "Rivals/AliasTable.h"
 #include "Rivals/PlainEmbree.h"
@@ -48,5 +47,3 @@ private:
   PlainEmbree embree_;
   int width_;
 };
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef SobolNumbers_h
-#define SobolNumbers_h
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -11,5 +10,3 @@
 using SobolNumbers = std::vector<std::array<std::uint32_t, 8>>;
 
 SobolNumbers makeSobolNumbers(std::uint32_t count);
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef XorShift_h
-#define XorShift_h
+#pragma once
 
 #include <cstdint>
 
@@ -46,5 +45,3 @@ private:
 
   alignas(64) std::uint32_t state_[4][width];
 };
-
-#endif

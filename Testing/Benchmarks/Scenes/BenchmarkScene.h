@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef BenchmarkScene_h
-#define BenchmarkScene_h
+#pragma once
 
 #include "Surfaces/SceneObjects.h"
 
@@ -45,5 +44,3 @@ std::vector<irradiance::Triangle> worldTriangles(const irradiance::SceneObjects&
 
 /// The same triangles, all static.
 irradiance::SceneObjects flattened(const irradiance::SceneObjects& objects);
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef LampScenes_h
-#define LampScenes_h
+#pragma once
 
 #include "Surfaces/SceneObjects.h"
 
@@ -21,5 +20,3 @@ irradiance::SceneObjects makeStreet(irradiance::Sky sky);
 /// 1,600 cells; a clear sky and a sun with a disc. `hour`: 0..24 at an equinox; at night there is
 /// no light.
 irradiance::SceneObjects makeTrackers(double hour);
-
-#endif

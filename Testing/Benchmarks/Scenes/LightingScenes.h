@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef LightingScenes_h
-#define LightingScenes_h
+#pragma once
 
 #include "Scenes/MovingTeapotScene.h"
 
@@ -27,5 +26,3 @@ struct LightingScene : MovingScene
  * ball of .6 m and 3,000 cells that moves 2 cm a frame.
  */
 std::vector<LightingScene> makeLightingScenes();
-
-#endif

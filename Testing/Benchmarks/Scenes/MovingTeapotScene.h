@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef MovingTeapotScene_h
-#define MovingTeapotScene_h
+#pragma once
 
 #include "Surfaces/SceneObjects.h"
 
@@ -30,5 +29,3 @@ struct MovingScene
 /// `scale`: of the teapot; a small one changes fewer walks. `isCoarse`: with large cells, and some
 /// 2000 triangles of the head.
 MovingScene makeMovingTeapot(const std::string& head, double scale = 1, bool isCoarse = false);
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PlainRoom_h
-#define PlainRoom_h
+#pragma once
 
 #include "Scenes/MovingTeapotScene.h"
 
@@ -30,5 +29,3 @@ MovingScene makeRoomOfMovers(int movers, double size);
 /// The same room, in which that share of the cells, chosen at random, also reflects half of what it
 /// would absorb, in lobes with an exponent of 50.
 MovingScene makeGlossyRoom(double share, double size = 0.8);
-
-#endif

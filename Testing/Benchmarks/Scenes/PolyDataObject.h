@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef PolyDataObject_h
-#define PolyDataObject_h
+#pragma once
 
 #include "Surfaces/SceneObjects.h"
 
@@ -15,5 +14,3 @@ std::vector<irradiance::Triangle> trianglesOf(vtkPolyData* mesh);
 /// DiffuseReflectance (one component; where there is none: no light, 0.5), as the filter reads
 /// them.
 irradiance::SceneObject makeObject(const std::vector<vtkPolyData*>& parts);
-
-#endif

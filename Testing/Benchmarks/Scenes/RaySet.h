@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef RaySet_h
-#define RaySet_h
+#pragma once
 
 #include "Geometry/Ray.h"
 #include "Scenes/BenchmarkScene.h"
@@ -18,5 +17,3 @@ struct RaySet
 /// P: from the light, the directions next to each other in tiles: photons that start.
 /// O: as I, but not from the walls, if there are any.
 std::vector<RaySet> makeRaySets(const BenchmarkScene& scene, std::uint32_t count);
-
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef SurfaceSensors_h
-#define SurfaceSensors_h
+#pragma once
 
 #include "Photons/Sensor.h"
 #include "Surfaces/SceneObjects.h"
@@ -36,5 +35,3 @@ inline std::vector<irradiance::Sensor> makeSurfaceSensors(
   }
   return sensors;
 }
-
-#endif

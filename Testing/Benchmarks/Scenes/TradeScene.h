@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef TradeScene_h
-#define TradeScene_h
+#pragma once
 
 #include "Scenes/MovingTeapotScene.h"
 
@@ -18,5 +17,3 @@ std::vector<TradeScene> makeTradeScenes(const std::string& head);
 /// Every triangle cut into four `levels` times, each piece a cell: cell i becomes the cells 4 i to
 /// 4 i + 3.
 irradiance::SceneObjects subdivided(const irradiance::SceneObjects& objects, int levels);
-
-#endif
