@@ -30,17 +30,20 @@ inline SimdLevel simdLevelOfMachine()
 #endif
 }
 
-/// That level, or the limit set by limitSimd() if that is lower.
-inline SimdLevel& simdLevel()
+inline SimdLevel& limitedSimdLevel()
 {
   static SimdLevel level = simdLevelOfMachine();
   return level;
 }
-
+/// That level, or the limit set by limitSimd() if that is lower.
+inline SimdLevel simdLevel()
+{
+  return limitedSimdLevel();
+}
 /// For tests and benchmarks. Must not be called while other threads compute.
 inline void limitSimd(SimdLevel limit)
 {
-  simdLevel() = std::min(limit, simdLevelOfMachine());
+  limitedSimdLevel() = std::min(limit, simdLevelOfMachine());
 }
 
 }
