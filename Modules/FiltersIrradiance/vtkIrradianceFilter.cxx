@@ -330,6 +330,7 @@ public:
   vtkIdType MostWalks = -1;             ///< of a target, by its old name; -1: by MaximumEffort
   int MostRays = -1;                    ///< likewise
   std::map<std::string, Bands> Factors; ///< of light groups, by name
+  std::map<std::string, int> Seeds;     ///< likewise
 
 private:
   /// With the factors of the inputs times those of the user.
@@ -337,23 +338,33 @@ private:
   {
     std::vector<LampGroup> groups = this->Scene.lampGroups();
     std::string unknown;
-    for (const auto& [name, factor] : this->Factors)
+    const auto change = [&](const std::string& name, const auto& set) {
+      const auto group = std::find_if(
+        groups.begin(), groups.end(), [&](const LampGroup& some) { return some.name == name; });
+      group == groups.end() ? void(unknown = name) : set(*group);
+    };
+    for (const auto& named : this->Seeds)
     {
-      const auto group = std::find_if(groups.begin(), groups.end(),
-        [&named = name](const LampGroup& some) { return some.name == named; });
-      if (group == groups.end())
+      change(named.first,
+        [&](LampGroup& group) { group.seed = static_cast<std::uint64_t>(named.second); });
+    }
+    for (const auto& named : this->Factors)
+    {
+      const Bands& factor = named.second;
+      if (factor != Bands{ { 1, 1, 1 } })
       {
-        unknown = factor == Bands{ { 1, 1, 1 } } ? unknown : name;
-        continue;
+        change(named.first, [&](LampGroup& group) {
+          std::transform(factor.begin(), factor.end(), group.factor.begin(), group.factor.begin(),
+            std::multiplies<double>());
+        });
       }
-      std::transform(factor.begin(), factor.end(), group->factor.begin(), group->factor.begin(),
-        std::multiplies<double>());
     }
     if (std::exchange(this->UnknownGroup, unknown) != unknown && !unknown.empty())
     {
-      vtkWarningWithObjectMacro(this->Filter, << "light group " << unknown
-                                              << " has a factor, but no input says that it is in a "
-                                              << kLightGroup << " of this name");
+      vtkWarningWithObjectMacro(
+        this->Filter, << "light group " << unknown
+                      << " has a factor or a seed, but no input says that it is in a "
+                      << kLightGroup << " of this name");
     }
     return groups;
   }
@@ -473,6 +484,33 @@ double vtkIrradianceFilter::GetLightGroupFactor(const char* group, int band)
   const auto found = this->Internals->Factors.find(group ? group : "");
   const auto i = static_cast<std::size_t>(std::clamp(band, 0, Power::kMaxBands - 1));
   return found == this->Internals->Factors.end() ? 1 : found->second[i];
+}
+
+void vtkIrradianceFilter::SetLightGroupSeed(const char* group, int seed)
+{
+  if (!group || !*group)
+  {
+    vtkErrorMacro(<< "the seed of a light group needs the name of the group");
+  }
+  else if (const auto [found, isNew] = this->Internals->Seeds.emplace(group, seed);
+           isNew || std::exchange(found->second, seed) != seed)
+  {
+    this->Modified();
+  }
+}
+
+int vtkIrradianceFilter::GetLightGroupSeed(const char* group)
+{
+  const auto found = this->Internals->Seeds.find(group ? group : "");
+  return found == this->Internals->Seeds.end() ? this->Seed : found->second;
+}
+
+void vtkIrradianceFilter::RemoveAllLightGroupSeeds()
+{
+  if (!std::exchange(this->Internals->Seeds, {}).empty())
+  {
+    this->Modified();
+  }
 }
 
 void vtkIrradianceFilter::RemoveAllLightGroupFactors()
@@ -803,6 +841,7 @@ void vtkIrradianceFilter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "ComputeStandardError: " << this->ComputeStandardError << "\n"
      << indent << "ComputeLightGroups: " << this->ComputeLightGroups << "\n"
      << indent << "Light group factors: " << this->Internals->Factors.size() << "\n"
+     << indent << "Light group seeds: " << this->Internals->Seeds.size() << "\n"
      << indent << "NumberOfReplicates: " << this->NumberOfReplicates << "\n"
      << indent << "TargetRelativeError: " << this->TargetRelativeError << "\n"
      << indent << "MaximumEffort: " << this->MaximumEffort << "\n"

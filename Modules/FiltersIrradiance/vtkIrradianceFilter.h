@@ -233,6 +233,16 @@ public:
 
   /// @{
   /**
+   * Other walks and rays for one light group: it is computed with this seed in place of Seed. Only
+   * this group is shot again; the light of all others stays.
+   */
+  void SetLightGroupSeed(const char* group, int seed);
+  int GetLightGroupSeed(const char* group);
+  void RemoveAllLightGroupSeeds();
+  /// @}
+
+  /// @{
+  /**
    * Whether what each light group brings is an array of its own, `Irradiance_` and the name of the
    * group (`IrradianceFront_`..., with ComputeStandardError their errors). These add up to
    * `Irradiance`, in the order of the names, which the field `LightGroups` tells, with the factors

@@ -49,7 +49,7 @@ void LightGroups::findGroups(const Asked& asked, Ranks& ranks)
     const Bands& factor = asked.groups[number].factor;
     const bool isScaled = areSeveral_ && !hasSky(asked, number);
     groups_.push_back({ name, factor, isScaled ? lamps_.brightest(number) : kOne, number, {} });
-    hash.add(seedOf(name, 0), factor[0], factor[1], factor[2]);
+    hash.add(seedOf(name, asked.groups[number].seed.value_or(0)), factor[0], factor[1], factor[2]);
   }
   ranks.expectSame(hash.value(), "other light groups than on the first process");
 }
@@ -103,6 +103,10 @@ void LightGroups::updateLit(
     group.number, group.scale, hasSky(asked, group.number));
   EngineSettings settings = asked.settings;
   settings.repairTimeBudget = budget;
+  if (group.number < asked.groups.size()) // darkness is none
+  {
+    settings.seed = asked.groups[group.number].seed.value_or(settings.seed);
+  }
   settings.seed = areSeveral_ ? seedOf(group.name, settings.seed) : settings.seed;
   settings = member.engine->chosen(asked.left, objects, settings, execution);
   asked.check(objects, settings);

@@ -10,6 +10,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,9 @@ namespace irradiance
 struct LampGroup
 {
   std::string name;
-  bool isNamed = false;        ///< else it is a group as nobody gave its lamps one
-  Bands factor{ { 1, 1, 1 } }; ///< of what they emit, by band: finite, >= 0
+  bool isNamed = false;                ///< else it is a group as nobody gave its lamps one
+  Bands factor{ { 1, 1, 1 } };         ///< of what they emit, by band: finite, >= 0
+  std::optional<std::uint64_t> seed{}; ///< none: of all groups
 };
 
 /// The light of the lamps of a group.

@@ -131,6 +131,24 @@ TEST(LightGroups, FactorsOfPropertiesAndFieldsMultiply)
   }()));
 }
 
+TEST(LightGroups, ASeedOfOneShootsItAlone)
+{
+  const Scene scene = MakeLampScene();
+  const auto filter = MakeGroups(scene);
+  filter->Update();
+  const std::vector<double> ofA = OfFloor(filter, "Irradiance_a"),
+                            of7 = OfFloor(filter, "Irradiance_7");
+  filter->SetLightGroupSeed("a", 5);
+  EXPECT_EQ(filter->GetLightGroupSeed("a"), 5);
+  EXPECT_EQ(filter->GetLightGroupSeed("7"), filter->GetSeed());
+  filter->Update();
+  EXPECT_NE(OfFloor(filter, "Irradiance_a"), ofA);
+  EXPECT_EQ(OfFloor(filter, "Irradiance_7"), of7);
+  filter->RemoveAllLightGroupSeeds();
+  filter->Update();
+  EXPECT_EQ(OfFloor(filter, "Irradiance_a"), ofA);
+}
+
 /// A table of names and factors, for lamps that cells name.
 TEST(LightGroups, ATableOfFactorsStandsInFieldData)
 {

@@ -229,6 +229,25 @@ TEST(LightGroups, LampsThatAllChangeAlikeShootNothing)
 }
 
 /// A single group that nobody named is the engine itself.
+TEST(LightGroups, ANewSeedShootsItsGroupAlone)
+{
+  const LampScene scene;
+  const EngineSettings settings = Shoot(scaled(3000)).errors(2);
+  std::vector<LampGroup> lamps = kThree;
+  Updated updated(scene.objects(), lamps, settings);
+  const Answer before = updated.shown();
+  lamps[1].seed = 7;
+  updated.update(scene.objects(), lamps, settings);
+  EXPECT_FALSE(updated.shown() == before);
+  EXPECT_TRUE(updated.shown() == Updated(scene.objects(), lamps, settings).shown());
+  EXPECT_GT(updated.engineOf("Point").statistics().shootSeconds, 0);
+  EXPECT_EQ(updated.engineOf("Panel").statistics().shootSeconds, 0);
+  EXPECT_EQ(updated.engineOf("Dynamic 6").statistics().shootSeconds, 0);
+  lamps[1].seed = settings.seed; // as that of all
+  updated.update(scene.objects(), lamps, settings);
+  EXPECT_TRUE(updated.shown() == before);
+}
+
 TEST(LightGroups, OneWithoutANameIsAsIfThereWereNone)
 {
   const MovingScene scene(1, true, 9);
