@@ -91,26 +91,22 @@ private:
     const Material& material = *scene.frame.objects[id.object].material;
     const CellSide side{ scene.known.cellOf(id), segment.isFront ? 0 : 1 };
     const CellSums& sums = segment.isKnown ? scene.known : *scene.knownDirect;
-    const CellSide behind{ side, 1 - side.side };
     const double area = scene.frame.cells.area(side);
-    const bool isSheet = material.transmitsDiffusely(side.cell);
-    for (int band = 0; band < scene.known.bands(); ++band)
+    // A sheet also sends what arrives behind it.
+    for (int other = 0; other < (material.transmitsDiffusely(side.cell) ? 2 : 1); ++other)
     {
-      const auto i = static_cast<std::size_t>(band);
-      const double reflected = weight[i] * material.reflectanceOf(id.triangle, band) / area;
-      const double through =
-        isSheet ? weight[i] * material.partOf(Leaving::DiffuseThrough, side.cell, 1)[i] / area : 0;
-      const auto add = [&](const CellSide& from, double part) {
+      const CellSide from{ side, other == 0 ? side.side : 1 - side.side };
+      for (int band = 0; band < scene.known.bands(); ++band)
+      {
+        const auto i = static_cast<std::size_t>(band);
+        const double sent = other == 0 ? material.reflectanceOf(id.triangle, band)
+                                       : material.partOf(Leaving::DiffuseThrough, side.cell, 1)[i];
+        const double part = weight[i] * sent / area;
         sum[i] += part * sums.sum(from, band, replicate, scene.knownRounds);
         if (segment.isKnown && scene.knownStale)
         {
           stale[i] += part / scene.replicates() * scene.knownStale->sum(from, band);
         }
-      };
-      add(side, reflected);
-      if (isSheet)
-      {
-        add(behind, through);
       }
     }
   }
