@@ -18,11 +18,11 @@ namespace
 EnclosingEllipsoid enclose(const Box& box)
 {
   using Corners = Eigen::AlignedBox3d;
-  std::vector<Vector3> corners;
-  for (int corner = 0; corner < 8; ++corner)
+  std::vector<Vector3> corners(8);
+  for (std::size_t corner = 0; corner < corners.size(); ++corner)
   {
-    corners.push_back(
-      Corners(box.lower, box.upper).corner(static_cast<Corners::CornerType>(corner)));
+    corners[corner] =
+      Corners(box.lower, box.upper).corner(static_cast<Corners::CornerType>(corner));
   }
   return encloseByEllipsoid(corners);
 }
