@@ -102,9 +102,12 @@ std::vector<std::uint32_t> DirectGather::follow(
       for (const auto& [part, sign] :
         { std::pair(passed, -1), std::pair(light_.passedTo(number), 1) })
       {
-        count(light_.add(
-                number, part, cell, totals.sums.cellOf(id), sign, totals.sums, settings_.round),
-          totals.balance);
+        if (part > 0)
+        {
+          count(light_.add(
+                  number, part, cell, totals.sums.cellOf(id), sign, totals.sums, settings_.round),
+            totals.balance);
+        }
       }
     }
   }

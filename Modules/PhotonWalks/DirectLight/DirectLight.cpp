@@ -181,7 +181,6 @@ void DirectLight::makeRoom(const Frame& frame)
   }
 }
 
-/// A ray ends where its length is 1.
 void DirectLight::look(const Frame& frame, const std::vector<std::uint32_t>& samples)
 {
   std::vector<Ray> rays;
@@ -196,41 +195,27 @@ void DirectLight::look(const Frame& frame, const std::vector<std::uint32_t>& sam
       numbers.push_back(number);
     }
   }
-  std::vector<Hit> hits(rays.size());
-  frame.scene.cast(rays.data(), rays.size(), hits.data());
   const Contacts& contacts = frame.contacts;
   const auto cellOf = [&](std::size_t ray) {
     return frame.triangles.idOf(samples_[numbers[ray]].triangle);
   };
-  const auto isResolved = [&](std::size_t ray) {
-    return contacts.has(rays[ray].start) || contacts.has(cellOf(ray));
-  };
-  for (std::size_t ray = 0; !contacts.isEmpty() && ray < rays.size(); ++ray)
-  {
-    hits[ray] =
-      isResolved(ray) ? contacts.resolveContact(frame.scene, rays[ray], hits[ray]) : hits[ray];
-  }
-  std::vector<ClearSheets::Way> ways;
-  if (!passed_.empty())
-  {
-    ways = ClearSheets{ frame.objects, frame.scene, &contacts }.follow(
-      rays.data(), hits.data(), hits.size(), cellOf);
-  }
+  const std::vector<ClearSheets::Way> ways =
+    ClearSheets{ frame.objects, frame.scene, &contacts, !passed_.empty() }.cast(
+      rays.data(), rays.size(), cellOf);
   for (std::size_t ray = 0; ray < rays.size(); ++ray)
   {
     const std::uint32_t number = numbers[ray];
-    if (!ways.empty())
+    const Hit& hit = ways[ray].hit;
+    const TriangleId cell = cellOf(ray), lamp = rays[ray].start;
+    const View free = ways[ray].meetsMovers ? kSheets : kFree;
+    if (!passed_.empty())
     {
-      hits[ray] = ways[ray].hit;
       passed_[number] = static_cast<float>(ways[ray].passed);
     }
-    const View free = !ways.empty() && ways[ray].meetsMovers ? kSheets : kFree;
-    const TriangleId cell = cellOf(ray);
-    const Hit& hit = hits[ray];
-    if (!contacts.isEmpty() && isResolved(ray))
+    if (contacts.has(lamp) || contacts.has(cell))
     {
       const bool mayChange =
-        hit.id.isDynamic() || contacts.hasDynamic(rays[ray].start) || contacts.hasDynamic(cell);
+        hit.id.isDynamic() || contacts.hasDynamic(lamp) || contacts.hasDynamic(cell);
       views_[number] = hit.id == cell ? free : mayChange ? kTouch : kNever;
     }
     else
@@ -241,8 +226,8 @@ void DirectLight::look(const Frame& frame, const std::vector<std::uint32_t>& sam
   }
 }
 
-bool DirectLight::mayChange(const Frame& frame, const std::vector<Box>& boxes, bool haveSheetsMoved,
-  std::uint32_t number) const
+bool DirectLight::mayChange(
+  const Frame& frame, const std::vector<Box>& boxes, bool sheetsMoved, std::uint32_t number) const
 {
   const View view = views_[number];
   const DirectSample& sample = samples_[number];
@@ -250,7 +235,7 @@ bool DirectLight::mayChange(const Frame& frame, const std::vector<Box>& boxes, b
   {
     // A contact that a motion may have made at either end decides a hit otherwise than before, also
     // far from what moved.
-    return (view == kSheets && haveSheetsMoved) ||
+    return (view == kSheets && sheetsMoved) ||
       frame.contacts.hasDynamic(lamps_.lights()[sample.light].triangle()) ||
       frame.contacts.hasDynamic(frame.triangles.idOf(sample.triangle)) ||
       std::any_of(

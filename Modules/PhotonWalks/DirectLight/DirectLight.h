@@ -28,14 +28,15 @@ public:
 
   /// Makes all samples, and looks which of them see their lights.
   void gather(const Frame& frame, Execution& execution);
-  /// Follows a motion of objects that have none of the cells and lights. Looks again at the samples
-  /// that what moved may hide now, or hid before, and at those whose light or cell a dynamic object
-  /// touches. Returns those to which another part of the light comes than before, in order.
+  /// A sample to which another part of the light comes than before.
   struct Change
   {
     std::uint32_t sample;
     double passed; ///< before
   };
+  /// Follows a motion of objects that have none of the cells and lights. Looks again at the samples
+  /// that what moved may hide now, or hid before, and at those whose light or cell a dynamic object
+  /// touches. Returns what changed, in order.
   std::vector<Change> follow(const Frame& frame, Execution& execution);
 
   const DirectPlan& plan() const { return plan_; }
@@ -72,16 +73,17 @@ private:
   static constexpr View kNever = 0;            ///< static objects, for ever; or no light can come
   static constexpr View kFree = 0xffffffffu;   ///< nothing but clear sheets that never move
   static constexpr View kSheets = 0xfffffffdu; ///< clear sheets, of which some are dynamic
-  static bool isFree(View view) { return view == kFree || view == kSheets; }
   static constexpr View kTouch =
     0xfffffffeu; ///< what touches either end, which may end with any motion
+  static bool isFree(View view) { return view == kFree || view == kSheets; }
 
   void gatherCells(const Frame& frame, std::size_t first, std::size_t end);
   Bands varianceOf(std::size_t cell) const;
   double unitOf(std::size_t cell) const;
   /// Whether a motion may change the view of a sample. `boxes`: of what moved.
-  bool mayChange(const Frame& frame, const std::vector<Box>& boxes, bool haveSheetsMoved,
+  bool mayChange(const Frame& frame, const std::vector<Box>& boxes, bool sheetsMoved,
     std::uint32_t sample) const;
+  /// For passed_, once there is a sheet.
   void makeRoom(const Frame& frame);
   /// Looks at samples again.
   void look(const Frame& frame, const std::vector<std::uint32_t>& samples);

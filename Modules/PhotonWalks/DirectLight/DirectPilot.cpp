@@ -64,7 +64,6 @@ DirectPilot::DirectPilot(const SceneObjects& objects, const LampPieces& lamps)
   double variances = 0, means = 0, asked = 0, arrived = 0;
   std::vector<DirectSample> samples;
   std::vector<Ray> rays;
-  std::vector<Hit> hits;
   for (std::size_t cell = 0; cell < cells.size(); ++cell)
   {
     const std::uint32_t count = plan.samplesOf(cell);
@@ -85,11 +84,9 @@ DirectPilot::DirectPilot(const SceneObjects& objects, const LampPieces& lamps)
             { sample.from, sample.to - sample.from, lamp.isDynamic() ? TriangleId{} : lamp });
         }
       }
-      hits.resize(rays.size());
-      frame.scene.cast(rays.data(), rays.size(), hits.data());
       constexpr double kNear = 1 - 0x1p-20; // the cell's own triangle hides nothing
       const std::vector<ClearSheets::Way> ways =
-        sheets.follow(rays.data(), hits.data(), hits.size(), noTarget, kNear);
+        sheets.cast(rays.data(), rays.size(), noTarget, kNear);
       for (std::size_t ray = 0; ray < rays.size(); ++ray)
       {
         brought[i] += ways[ray].hit.distance >= kNear

@@ -22,7 +22,7 @@ constexpr std::uint32_t kRays = 16; ///< cast together
 /// From all lights, and from each of many.
 constexpr std::size_t kRaysOfAll = 2048, kFewestRays = 4;
 using Rays = std::array<Ray, kRays>;
-using Hits = std::array<Hit, kRays>;
+using Ways = std::vector<ClearSheets::Way>;
 
 /// The part of the flux of which more has to arrive: of less nothing is known.
 constexpr double kLeastArrived = 0.1;
@@ -67,24 +67,24 @@ bool isNear(const Scene& scene, const Hit& hit)
 using OnCell = std::array<double, 2>;
 
 /// The sum over hits of what is reflected and arrives again, for each of what arrives.
-double returnedOf(const Scene& scene, const Material& material, const Rays& rays, const Hits& hits,
-  const std::array<double, kRays>& passed, std::uint32_t first, std::uint32_t raysOfLight)
+double returnedOf(const Scene& scene, const Material& material, const Rays& rays, const Ways& ways,
+  std::uint32_t first)
 {
   Rays onwards;
   std::array<double, kRays> parts{};
   std::size_t count = 0;
-  for (std::uint32_t i = 0; i < raysOfLight; ++i)
+  for (std::uint32_t i = 0; i < ways.size(); ++i)
   {
-    if (hits[i])
+    if (const Hit& hit = ways[i].hit)
     {
-      SurfacePoint point = surfacePoint(scene.worldTriangle(hits[i].id), weightsOf(hits[i]));
+      SurfacePoint point = surfacePoint(scene.worldTriangle(hit.id), weightsOf(hit));
       point.turn(point.normal.dot(rays[i].direction) < 0);
       onwards[count] = { point.clearPosition(),
-        sampleHemisphere(point.normal, pointOf(first + i, 3)), hits[i].id };
-      parts[count++] = passed[i] * material.keptOf(hits[i].id.triangle);
+        sampleHemisphere(point.normal, pointOf(first + i, 3)), hit.id };
+      parts[count++] = ways[i].passed * material.keptOf(hit.id.triangle);
     }
   }
-  Hits again;
+  std::array<Hit, kRays> again;
   scene.cast(onwards.data(), count, again.data());
   double sum = 0;
   for (std::size_t i = 0; i < count; ++i)
@@ -119,24 +119,18 @@ FirstHits::FirstHits(const SceneObjects& objects, const LightTable& lights)
     {
       const std::uint32_t together = std::min(kRays, end - first);
       const Rays rays = raysFrom(light, first, together);
-      Hits hits;
-      std::array<double, kRays> passed{};
-      scene.cast(rays.data(), together, hits.data());
-      const std::vector<ClearSheets::Way> ways =
-        sheets.follow(rays.data(), hits.data(), together, noTarget, kInfinity);
+      const Ways ways = sheets.cast(rays.data(), together, noTarget, kInfinity);
       for (std::uint32_t i = 0; i < together; ++i)
       {
-        hits[i] = ways[i].hit;
-        passed[i] = ways[i].passed;
-        if (hits[i])
+        if (const Hit& hit = ways[i].hit)
         {
-          near += isNear(scene, hits[i]) ? 1 : 0;
-          const Vector3 normal = scene.worldTriangle(hits[i].id).areaVector();
-          arrivals_.push_back({ number, hits[i].id.triangle, normal.dot(rays[i].direction) < 0,
-            halfOf(first + i), passed[i] * fluxOfRay });
+          near += isNear(scene, hit) ? 1 : 0;
+          const Vector3 normal = scene.worldTriangle(hit.id).areaVector();
+          arrivals_.push_back({ number, hit.id.triangle, normal.dot(rays[i].direction) < 0,
+            halfOf(first + i), ways[i].passed * fluxOfRay });
         }
       }
-      returned += fluxOfRay * returnedOf(scene, material, rays, hits, passed, first, together);
+      returned += fluxOfRay * returnedOf(scene, material, rays, ways, first);
     }
     nearLights_.push_back(light.surface() && 2 * near > count);
     begin = end;

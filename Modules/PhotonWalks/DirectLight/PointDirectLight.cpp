@@ -170,7 +170,7 @@ PointDirectLight::PointDirectLight(const Frame& frame, std::shared_ptr<const Lam
 Bands PointDirectLight::irradiance(
   const LitPoint& point, std::uint64_t number, std::vector<ShadowRay>* rays) const
 {
-  return arriving(point, arrivalsAt(point, number, 1), rays);
+  return arriving(point, arrivalsAt(point, number, 1), true, rays);
 }
 
 std::vector<PointDirectLight::Arrival> PointDirectLight::arrivalsAt(
@@ -200,7 +200,7 @@ std::int64_t PointDirectLight::update(const LitPoint& point, std::uint64_t numbe
       anew.push_back(arrivals[i]);
     }
   }
-  const std::vector<ClearSheets::Way> ways = cast(point, anew);
+  const std::vector<ClearSheets::Way> ways = cast(point, anew, true);
   for (std::size_t i = 0; i < anew.size(); ++i)
   {
     rays[changed[i]] = shadowRayOf(anew[i], point, ways[i]);
@@ -220,7 +220,7 @@ Bands PointDirectLight::taken(
 {
   std::vector<Arrival> arrivals;
   addSamples(point, SeenLight::By::SolidAngle, part, number, share, lightsAt(point), 1, arrivals);
-  return arriving(point, arrivals);
+  return arriving(point, arrivals, false);
 }
 
 double PointDirectLight::density(
@@ -236,11 +236,11 @@ double PointDirectLight::density(
   return samples_ * choice.densityOf(lamps_->pieceAt(*light, place));
 }
 
-Bands PointDirectLight::arriving(
-  const LitPoint& point, const std::vector<Arrival>& arrivals, std::vector<ShadowRay>* rays) const
+Bands PointDirectLight::arriving(const LitPoint& point, const std::vector<Arrival>& arrivals,
+  bool mayPass, std::vector<ShadowRay>* rays) const
 {
   Bands sum{};
-  const std::vector<ClearSheets::Way> ways = cast(point, arrivals);
+  const std::vector<ClearSheets::Way> ways = cast(point, arrivals, mayPass);
   for (std::size_t i = 0; i < arrivals.size(); ++i)
   {
     if (const double part = arrivingBy(ways[i], point); part > 0)
@@ -255,33 +255,15 @@ Bands PointDirectLight::arriving(
   return sum;
 }
 
-/// As for the samples of cells, see DirectLight.
 std::vector<ClearSheets::Way> PointDirectLight::cast(
-  const LitPoint& point, const std::vector<Arrival>& arrivals) const
+  const LitPoint& point, const std::vector<Arrival>& arrivals, bool mayPass) const
 {
   std::vector<Ray> rays(arrivals.size());
   std::transform(arrivals.begin(), arrivals.end(), rays.begin(),
     [](const Arrival& arrival) { return arrival.ray; });
-  std::vector<Hit> hits(rays.size());
-  frame_.scene.cast(rays.data(), rays.size(), hits.data());
-  const Contacts& contacts = frame_.contacts;
-  for (std::size_t i = 0; !contacts.isEmpty() && i < rays.size(); ++i)
-  {
-    if (contacts.has(point.on) || contacts.has(rays[i].start))
-    {
-      hits[i] = contacts.resolveContact(frame_.scene, rays[i], hits[i]);
-    }
-  }
-  // All of them may, or none.
-  if (frame_.triangles.hasGlossy() && !arrivals.empty() && arrivals.back().mayPass)
-  {
-    return ClearSheets{ frame_.objects, frame_.scene, &contacts }.follow(
-      rays.data(), hits.data(), hits.size(), [&](std::size_t) { return point.on; });
-  }
-  std::vector<ClearSheets::Way> ways(hits.size());
-  std::transform(
-    hits.begin(), hits.end(), ways.begin(), [](const Hit& hit) { return ClearSheets::Way{ hit }; });
-  return ways;
+  return ClearSheets{ frame_.objects, frame_.scene, &frame_.contacts,
+    mayPass && frame_.triangles.hasGlossy() }
+    .cast(rays.data(), rays.size(), [&](std::size_t) { return point.on; });
 }
 
 /// `hit`: what it meets; on a face with contacts it has to be that face.
@@ -325,7 +307,7 @@ void PointDirectLight::addTouching(const LitPoint& point,
     for (std::size_t replicate = 0; isOn && replicate < replicates; ++replicate)
     {
       arrivals.push_back({ { start.clearPosition(), start.normal, lights()[light].triangle() },
-        light, 1 / (surface.area() * static_cast<double>(replicates)), replicate, true });
+        light, 1 / (surface.area() * static_cast<double>(replicates)), replicate });
     }
   }
 }
@@ -350,8 +332,7 @@ void PointDirectLight::addSamples(const LitPoint& point, SeenLight::By by, const
       seen.isLit() ? seen.perWatt(part(seen.along, samples / seen.solidAngle)) / samples : 0;
     if (perWatt > 0)
     {
-      arrivals.push_back({ seen.ray, chosen.light, perWatt, i * replicates / samples_,
-        by == SeenLight::By::Cosine });
+      arrivals.push_back({ seen.ray, chosen.light, perWatt, i * replicates / samples_ });
     }
   }
 }

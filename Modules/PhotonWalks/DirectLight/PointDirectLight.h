@@ -86,7 +86,6 @@ private:
     std::uint32_t light;
     double perWatt; ///< W/m2 for each W of the light's flux if nothing stands between
     std::size_t replicate;
-    bool mayPass; ///< clear sheets
   };
 
   /// Those that coincide with the point.
@@ -103,8 +102,8 @@ private:
     std::vector<Arrival>& arrivals) const;
   std::vector<Arrival> arrivalsAt(
     const LitPoint& point, std::uint64_t number, std::size_t replicates) const;
-  /// What no other surface stops.
-  Bands arriving(const LitPoint& point, const std::vector<Arrival>& arrivals,
+  /// What no other surface stops. `mayPass`: clear sheets.
+  Bands arriving(const LitPoint& point, const std::vector<Arrival>& arrivals, bool mayPass,
     std::vector<ShadowRay>* rays = nullptr) const;
   Bands broughtBy(const Arrival& arrival) const
   {
@@ -112,7 +111,7 @@ private:
   }
   /// What arrivals meet.
   std::vector<ClearSheets::Way> cast(
-    const LitPoint& point, const std::vector<Arrival>& arrivals) const;
+    const LitPoint& point, const std::vector<Arrival>& arrivals, bool mayPass) const;
   /// The part of the light.
   double arrivingBy(const ClearSheets::Way& way, const LitPoint& point) const;
   ShadowRay shadowRayOf(

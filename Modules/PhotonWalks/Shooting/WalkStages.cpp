@@ -212,18 +212,21 @@ bool WalkStages::choose(WalkFront& front, std::size_t row, double sample) const
   const Material& material = materialOf(id.object);
   const std::uint32_t cell = cellOf(id);
   const Power incoming = front.powerAt(row, bands() > 1 ? bands() : 0);
-  const double cosine = material.transmitsStraight(cell)
-    ? goStraight(front, row, front.hit[row], front.hitSide[row] != 0)
-    : 1;
+  const bool isPane = material.isPane(cell), isFront = front.hitSide[row] != 0;
+  const double cosine = isPane ? goStraight(front, row, front.hit[row], isFront) : 1;
   const SurvivalProbabilities survival = survivalProbabilities(incoming, material, cell, cosine);
   // In one band the kernel has decided, but for panes.
-  if ((bands() > 1 || material.isPane(cell)) && !(sample < survival.total()))
+  if ((bands() > 1 || isPane) && !(sample < survival.total()))
   {
     return false;
   }
   const Leaving way = survival.at(sample);
+  if (way == Leaving::Straight && !isPane)
+  {
+    goStraight(front, row, front.hit[row], isFront);
+  }
   front.leaving[row] = way;
-  front.hitSide[row] = (front.hitSide[row] != 0) != isThrough(way) ? 1 : 0;
+  front.hitSide[row] = isFront != isThrough(way) ? 1 : 0;
   if (bands() > 1)
   {
     front.setPower(

@@ -15,12 +15,13 @@
 namespace irradiance
 {
 
-/// What is left of the light of a ray that looks for lamps, as clear sheets let it go straight on.
+/// Rays that look for lamps, and what is left of their light, as clear sheets let it go straight on.
 struct ClearSheets
 {
   const SceneObjects& objects;
   const Scene& scene;
   const Contacts* contacts = nullptr; ///< null: nothing coincides
+  bool mayPass = true;                ///< else they stop rays as all else does
 
   /// Where a ray ends, and what clear sheets before leave.
   struct Way
@@ -29,14 +30,24 @@ struct ClearSheets
     double passed = 1;        ///< > 0, a multiple of 2^-24
     bool meetsMovers = false; ///< some of these sheets are dynamic
   };
-  /// What stops each ray before its length is `end`, or is hit then. `closest`: their closest hits;
-  /// `targetOf`: by place, where it is to arrive.
-  std::vector<Way> follow(const Ray* rays, const Hit* closest, std::size_t count,
+  /// What stops each ray before its length is `end`, or is hit then. `targetOf`: by place, where it
+  /// is to arrive.
+  std::vector<Way> cast(const Ray* rays, std::size_t count,
     const std::function<TriangleId(std::size_t)>& targetOf, double end = 1) const
   {
+    std::vector<Hit> next(count);
+    scene.cast(rays, count, next.data());
     std::vector<Way> ways(count);
-    std::transform(
-      closest, closest + count, ways.begin(), [](const Hit& hit) { return Way{ hit }; });
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const bool isContact = contacts && !contacts->isEmpty() &&
+        (contacts->has(rays[i].start) || contacts->has(targetOf(i)));
+      ways[i].hit = isContact ? contacts->resolveContact(scene, rays[i], next[i]) : next[i];
+    }
+    if (!mayPass)
+    {
+      return ways;
+    }
     std::vector<std::size_t> open(count);
     std::iota(open.begin(), open.end(), std::size_t{});
     while (!open.empty())
@@ -59,7 +70,7 @@ struct ClearSheets
           goOn.push_back(i);
         }
       }
-      std::vector<Hit> next(rests.size());
+      next.resize(rests.size());
       scene.cast(rests.data(), rests.size(), next.data());
       for (std::size_t i = 0; i < next.size(); ++i)
       {

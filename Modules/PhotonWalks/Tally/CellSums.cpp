@@ -88,7 +88,7 @@ void CellSums::replace(const SceneObjects& objects, const std::vector<std::uint3
   };
   for (std::size_t cell = 0; cell < staticCells.size(); ++cell)
   {
-    staticCells[cell] != 0xffffffffu ? keep({ 0, cell }, staticCells[cell], 1) : void();
+    staticCells[cell] != TriangleId::kNone ? keep({ 0, cell }, staticCells[cell], 1) : void();
   }
   const std::size_t both = std::min<std::size_t>(objects.size(), materials_.size());
   for (std::uint32_t object = staticCells.empty() ? 0 : 1; object < both; ++object)

@@ -17,12 +17,11 @@ namespace
 
 EnclosingEllipsoid enclose(const Box& box)
 {
-  using Corners = Eigen::AlignedBox3d;
+  const Eigen::AlignedBox3d all(box.lower, box.upper);
   std::vector<Vector3> corners(8);
   for (std::size_t corner = 0; corner < corners.size(); ++corner)
   {
-    corners[corner] =
-      Corners(box.lower, box.upper).corner(static_cast<Corners::CornerType>(corner));
+    corners[corner] = all.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner));
   }
   return encloseByEllipsoid(corners);
 }
